@@ -1,0 +1,86 @@
+#pragma once
+
+#include <breakwater/base/plugin.h>
+#include <breakwater/base/run_context.h>
+#include <breakwater/interfaces/body_force.h>
+#include <breakwater/mesh/output_mesh.h>
+#include <breakwater/mesh/wet_surface.h>
+
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+namespace Breakwater
+{
+  /// Mass, momentum and energies of a domain, at a time at which positions and velocities are known together.
+  template <int dim>
+  struct DomainBalance
+  {
+    double   mass = 0; ///< [kg]
+    Vec<dim> momentum; ///< [kg m/s]
+    double   kinetic_energy   = 0; ///< [J]
+    double   potential_energy = 0; ///< of the body forces [J]
+    double   internal_energy  = 0; ///< of compression of a fluid [J]
+    double   strain_energy    = 0; ///< of a solid [J]
+  };
+
+  /// A body that advances in time by explicit central differences: a fluid or a structure, a coupler can't tell.
+  ///
+  /// One step of length dt from t_n is the Newmark scheme with beta = 0, gamma = 1/2 (velocity Verlet):
+  ///   x(n+1) = x(n) + dt v(n) + dt^2/2 a(n),   a(n+1) = M^-1 F(x(n+1)),   v(n+1) = v(n) + dt/2 [a(n) + a(n+1)],
+  /// in two calls. advance_free() makes the *free* solution, without forces from other domains at the new time;
+  /// add_link_force() adds those forces lambda: a += M^-1 lambda, v += dt/2 M^-1 lambda (the *link* solution of
+  /// Gravouil and Combescure, 2001). end_step() lets the domain do what must stand between two steps.
+  template <int dim>
+  class ExplicitDomain : public Plugin
+  {
+  public:
+    static constexpr const char *interface_name = "domain";
+    static constexpr int         dimension      = dim;
+
+    /// Builds the initial state at time 0. Called once, after the parameters were read.
+    /// @param name the domain's name in messages and output; both references outlive the domain
+    virtual void setup(const std::string &name, const BodyForces<dim> &body_forces, RunContext &context) = 0;
+
+    /// The step [s] that is stable now, the domain's own safety fraction included.
+    virtual double stable_time_step() const = 0;
+
+    /// The free solution of a step. @throws BreakdownError
+    virtual void advance_free(double time_step) = 0;
+
+    /// Adds forces [N] at the nodes of the wet surface to the step just made by advance_free().
+    /// @pre one force per node of wet_surface(), time_step as in advance_free()
+    virtual void add_link_force(const std::vector<Vec<dim>> &force, double time_step) = 0;
+
+    /// The step is complete, links included. The fluid remeshes here if it must. @throws BreakdownError
+    virtual void end_step() = 0;
+
+    /// The nodes that may be tied to another domain; their positions and velocities are current after each call
+    /// that changes them. Empty if the domain has none.
+    virtual const WetSurface<dim> &wet_surface() const = 0;
+
+    /// Makes the nodes of the partner's wet surface this domain's own (matching meshes): same number, order and
+    /// places, facets of the partner. From then on its nodes also carry the partner's mass (1 / inverse_mass).
+    /// @pre can_adopt_surface(); called before setup() of this domain and after that of the partner
+    virtual void adopt_surface(const WetSurface<dim> &partner) = 0;
+
+    /// True if the domain takes a partner's surface for its own: a fluid does, a structure does not.
+    virtual bool can_adopt_surface() const = 0;
+
+    /// Puts the nodes of an adopted surface to the partner's places [m], which differ by what time stepping let
+    /// them drift apart.
+    virtual void correct_surface(const std::vector<Vec<dim>> &position) = 0;
+
+    virtual DomainBalance<dim> balance() const = 0;
+
+    /// Adds the domain's columns to a row of history.csv.
+    virtual void add_history(Row &row) const = 0;
+
+    /// The mesh and fields for solution.pvd.
+    virtual OutputMesh<dim> output_mesh() const = 0;
+
+    /// Writes and reads the whole state in binary, so that a resumed run has the same bits.
+    virtual void save(std::ostream &stream) const = 0;
+    virtual void load(std::istream &stream)       = 0;
+  };
+} // namespace Breakwater

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <breakwater/base/vec.h>
+
+#include <array>
+#include <vector>
+
+namespace Breakwater
+{
+  /// The surface by which a domain touches others: the nodes that a coupler ties, and the facets between them.
+  ///
+  /// Facets are segments in 2D and quadrilaterals in 3D. Their node order gives the normal that points out of the
+  /// domain: in 2D the tangent (b - a) turned by -90 degrees, in 3D by the right-hand rule.
+  template <int dim>
+  struct WetSurface
+  {
+    static constexpr unsigned int nodes_per_facet = dim == 2 ? 2 : 4;
+
+    std::vector<Vec<dim>>                                  position; ///< [m]
+    std::vector<Vec<dim>>                                  velocity; ///< [m/s]
+    std::vector<Vec<dim>>                                  inverse_mass; ///< [1/kg], 0 in a direction that is held
+    std::vector<std::array<unsigned int, nodes_per_facet>> facets;
+    unsigned int                                           revision = 0; ///< grows when nodes or facets change
+  };
+} // namespace Breakwater
