@@ -17,7 +17,7 @@ namespace Breakwater
     /// read_parameters()): it must do nothing else.
     virtual void declare_parameters(ParameterReader &) {}
 
-    /// Checks combinations of entries once all are read; reports through ParameterReader::fail().
-    virtual void check_parameters(ParameterReader &) const {}
+    /// Checks combinations of entries once all are read, and digests them; reports through ParameterReader::fail().
+    virtual void check_parameters(ParameterReader &) {}
   };
 } // namespace Breakwater
