@@ -55,8 +55,9 @@ namespace Breakwater
     /// The step is complete, links included. The fluid remeshes here if it must. @throws BreakdownError
     virtual void end_step() = 0;
 
-    /// The nodes that may be tied to another domain; their positions and velocities are current after each call
-    /// that changes them. Empty if the domain has none.
+    /// The nodes that may be tied to another domain; their positions, velocities and accelerations are current after
+    /// each call that changes them, setup() included. Empty if the domain has none. A remesh in end_step() keeps all
+    /// three: tied nodes may be almost massless, and their acceleration is then not the force over the mass.
     virtual const WetSurface<dim> &wet_surface() const = 0;
 
     /// Makes the nodes of the partner's wet surface this domain's own (matching meshes): same number, order and

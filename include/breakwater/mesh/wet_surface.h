@@ -18,6 +18,7 @@ namespace Breakwater
 
     std::vector<Vec<dim>>                                  position; ///< [m]
     std::vector<Vec<dim>>                                  velocity; ///< [m/s]
+    std::vector<Vec<dim>>                                  acceleration; ///< [m/s^2], link forces included
     std::vector<Vec<dim>>                                  inverse_mass; ///< [1/kg], 0 in a direction that is held
     std::vector<std::array<unsigned int, nodes_per_facet>> facets;
     unsigned int                                           revision = 0; ///< grows when nodes or facets change
