@@ -1,0 +1,30 @@
+#pragma once
+
+#include "elastic_constants.h"
+
+#include <breakwater/interfaces/material.h>
+
+namespace Breakwater
+{
+  /// Hooke's law for small strains and small rotations; a large rotation makes false stresses, so that this law is for
+  /// verification and for stiff bodies.
+  ///
+  /// e = (H + H^T) / 2,  P = lambda tr(e) 1 + 2 mu e,  energy lambda/2 tr(e)^2 + mu e:e.
+  template <int dim>
+  class LinearElastic : public Material<dim>
+  {
+  public:
+    void declare_parameters(ParameterReader &reader) override;
+    void check_parameters(ParameterReader &reader) override;
+
+    double density() const override { return constants_.density(); }
+    void   first_piola_stress(const double *displacement_gradient, double *stress, std::size_t n) const override;
+    double strain_energy(const double *displacement_gradient) const override;
+    double wave_speed() const override { return constants_.wave_speed(); }
+
+  private:
+    ElasticConstants constants_;
+    double           lambda_ = 0; ///< [Pa]
+    double           mu_     = 0; ///< [Pa]
+  };
+} // namespace Breakwater

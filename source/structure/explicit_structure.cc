@@ -1,0 +1,496 @@
+#include "explicit_structure.h"
+
+#include "velocity_field.h"
+
+#include <breakwater/base/exceptions.h>
+#include <breakwater/structure/structure.h>
+
+#include <algorithm>
+#include <cmath>
+#include <istream>
+#include <ostream>
+#include <sstream>
+
+namespace Breakwater
+{
+  namespace
+  {
+    /// Steps between two updates of the bound on the frequency. The fastest wave crosses about one cell in a step, so
+    /// that strains change little in between; the default fraction of the bound covers what they do change.
+    constexpr unsigned int steps_per_bound = 8;
+
+    template <int dim>
+    std::string place(const Vec<dim> &position)
+    {
+      std::ostringstream text;
+      text << "(";
+      for (int d = 0; d < dim; ++d)
+        text << (d > 0 ? ", " : "") << position[d];
+      text << ") m";
+      return text.str();
+    }
+
+    template <class T>
+    void write(std::ostream &stream, const T &value)
+    {
+      stream.write(reinterpret_cast<const char *>(&value), sizeof(T));
+    }
+
+    template <class T>
+    void write(std::ostream &stream, const std::vector<T> &values)
+    {
+      write(stream, values.size());
+      stream.write(reinterpret_cast<const char *>(values.data()), values.size() * sizeof(T));
+    }
+
+    template <class T>
+    void read(std::istream &stream, T &value)
+    {
+      stream.read(reinterpret_cast<char *>(&value), sizeof(T));
+    }
+
+    /// The size is known: it belongs to the mesh.
+    template <class T>
+    void read(std::istream &stream, std::vector<T> &values)
+    {
+      std::size_t size = 0;
+      read(stream, size);
+      if (!stream || size != values.size())
+        throw InputError(
+          "the checkpoint does not fit the structure: was the scene's mesh changed since it was written?");
+      stream.read(reinterpret_cast<char *>(values.data()), size * sizeof(T));
+    }
+  } // namespace
+
+
+  template <int dim>
+  ExplicitStructure<dim>::ExplicitStructure()
+    : material_("Model", "", "The law of the solid.", 1)
+    , initial_velocity_text_(dim == 2 ? "0, 0" : "0, 0, 0")
+  {
+  }
+
+
+  template <int dim>
+  void ExplicitStructure<dim>::declare_parameters(ParameterReader &reader)
+  {
+    reader.add("Mesh", mesh_text_,
+               dim == 2 ?
+                 "box(x0, y0; x1, y1; nx, ny): two opposite corners [m] and the number of cells in each direction." :
+                 "box(x0, y0, z0; x1, y1, z1; nx, ny, nz): two opposite corners [m] and the number of cells in each "
+                 "direction.");
+    reader.add("Degree", degree_,
+               "Polynomial degree of the cells. Degree 2 bends well with one cell across the thickness; its nodes in "
+               "the middle of edges, faces and cells count for the wet surface as well.",
+               1, 2);
+    const std::string names = dim == 2 ? "left, right, bottom, top (at the smallest and largest x and y)" :
+                                         "left, right, bottom, top, front, back (at the smallest and largest x, y, z)";
+    reader.add("Clamp", clamp_names_, "Boundaries whose nodes are held, a list of " + names + ".");
+    reader.add("Wet boundaries", wet_names_,
+               "Boundaries that may be coupled to a fluid, a list of " + names +
+                 "; \"all\" means all that are not clamped, \"none\" means none.");
+    reader.add("Body forces act", body_forces_act_,
+               "Whether the body forces of the scene, such as gravity, act on this structure too.");
+    reader.add("Fraction of the bound", fraction_,
+               "Time step as a fraction of the stable one, 2 over the largest frequency of the deformed cells [-].",
+               Range{1e-6, 1.});
+    reader.add("Damping", damping_, "Damping force per mass and velocity, alpha [1/s]; 0: none.",
+               Range::not_negative());
+    reader.add("Initial velocity", initial_velocity_text_,
+               "Velocity at time 0 [m/s]: one expression for each component, separated by commas, in the undeformed "
+               "coordinates x, y, z [m] and pi. Held nodes stay at rest.");
+    SectionScope scope(reader, "Material");
+    material_.declare_parameters(reader);
+  }
+
+
+  template <int dim>
+  void ExplicitStructure<dim>::check_parameters(ParameterReader &reader)
+  {
+    const auto check = [&reader](const std::string &entry, const auto &digest) {
+      try
+        {
+          digest();
+        }
+      catch (const InputError &error)
+        {
+          reader.fail(entry, error.what());
+        }
+    };
+
+    check("Mesh", [&] {
+      box_ = parse_box_mesh<dim>(mesh_text_);
+    });
+    check("Clamp", [&] {
+      is_clamped_ = parse_boundaries<dim>(clamp_names_);
+    });
+    check("Wet boundaries", [&] {
+      if (wet_names_ == std::vector<std::string>{"all"})
+        std::transform(is_clamped_.begin(), is_clamped_.end(), is_wet_.begin(), [](const bool c) {
+          return !c;
+        });
+      else if (wet_names_ == std::vector<std::string>{"none"})
+        is_wet_ = {};
+      else
+        is_wet_ = parse_boundaries<dim>(wet_names_);
+    });
+    check("Initial velocity", [&] {
+      evaluate_expressions<dim>(split_expressions(initial_velocity_text_), {0.5 * (box_.lower + box_.upper)});
+    });
+
+    SectionScope scope(reader, "Material");
+    if (material_.empty())
+      {
+        std::string known;
+        for (const std::string &name : reader.registry().names(Material<dim>::interface_name, dim))
+          known += (known.empty() ? "" : ", ") + name;
+        reader.fail("Model", "a structure needs a material; known are: " +
+                               (known.empty() ? "none, name a library of materials in \"Plugin libraries\"" : known));
+      }
+    material_.check_parameters(reader);
+  }
+
+
+  template <int dim>
+  void ExplicitStructure<dim>::setup(const std::string &name, const BodyForces<dim> &body_forces, RunContext &context)
+  {
+    PhaseTimer timer(context, Phase::structure);
+    name_        = name;
+    body_forces_ = &body_forces;
+    context_     = &context;
+
+    mesh_         = make_solid_mesh<dim>(box_, degree_);
+    kernel_       = make_cell_kernel<dim>(mesh_, material_.front());
+    mass_         = kernel_->lumped_mass();
+    inverse_mass_ = mass_;
+    for (double &mass : inverse_mass_)
+      mass = 1 / mass;
+    for (const auto &facet : mesh_.facets)
+      if (is_clamped_[facet.boundary])
+        for (const unsigned int node : facet.nodes)
+          inverse_mass_[node] = 0;
+
+    const std::size_t n_nodes = mesh_.nodes.size();
+    displacement_.assign(n_nodes, {});
+    acceleration_.assign(n_nodes, {});
+    force_.assign(n_nodes, {});
+    position_ = mesh_.nodes;
+    velocity_ = evaluate_expressions<dim>(split_expressions(initial_velocity_text_), mesh_.nodes);
+    for (std::size_t i = 0; i < n_nodes; ++i)
+      if (inverse_mass_[i] == 0)
+        velocity_[i] = {};
+
+    context.note_effect(name_ + ": body forces", body_forces_act_ && !body_forces.empty(),
+                        body_forces.empty() ? "the scene has none" : "switched off by \"Body forces act\"");
+    context.note_effect(name_ + ": damping", damping_ > 0, "\"Damping\" is 0");
+    body_acceleration_is_fixed_ = std::all_of(body_forces.begin(), body_forces.end(), [](const auto &body_force) {
+      return body_force->is_uniform();
+    });
+    body_acceleration_.assign(n_nodes, {});
+    add_body_forces();
+    compute_force();
+    for (std::size_t i = 0; i < n_nodes; ++i)
+      if (inverse_mass_[i] > 0)
+        acceleration_[i] = inverse_mass_[i] * force_[i] + body_acceleration_[i] - damping_ * velocity_[i];
+
+    directions_ = kernel_->initial_directions();
+    bound_frequency();
+    make_wet_surface();
+    if (context.step_limited_by.empty())
+      context.step_limited_by = name_;
+    context.set_summary(name_ + " nodes", n_nodes);
+    context.set_summary(name_ + " cells", mesh_.n_cells());
+  }
+
+
+  /// Power iteration from the start until the bound has settled.
+  template <int dim>
+  void ExplicitStructure<dim>::bound_frequency()
+  {
+    double bound = 0, last = 0;
+    for (unsigned int round = 0; round < 100; ++round)
+      {
+        last  = bound;
+        bound = kernel_->bound_eigenvalue(displacement_, directions_, 10);
+        if (std::abs(bound - last) < 1e-5 * bound)
+          break;
+      }
+    largest_frequency_ = std::sqrt(bound);
+  }
+
+
+  template <int dim>
+  double ExplicitStructure<dim>::stable_time_step() const
+  {
+    const double xi = damping_ / (2 * largest_frequency_);
+    return fraction_ * 2 / largest_frequency_ * (std::sqrt(1 + xi * xi) - xi);
+  }
+
+
+  template <int dim>
+  void ExplicitStructure<dim>::advance_free(const double time_step)
+  {
+    PhaseTimer        timer(*context_, Phase::structure);
+    const std::size_t n_nodes = displacement_.size();
+    for (std::size_t i = 0; i < n_nodes; ++i)
+      {
+        velocity_[i] += (0.5 * time_step) * acceleration_[i];
+        displacement_[i] += time_step * velocity_[i];
+        position_[i] = mesh_.nodes[i] + displacement_[i];
+      }
+    time_ += time_step;
+    compute_force();
+    if (!body_acceleration_is_fixed_)
+      add_body_forces();
+
+    double sum = 0;
+    for (std::size_t i = 0; i < n_nodes; ++i)
+      if (inverse_mass_[i] > 0)
+        {
+          acceleration_[i] = inverse_mass_[i] * force_[i] + body_acceleration_[i] - damping_ * velocity_[i];
+          velocity_[i] += (0.5 * time_step) * acceleration_[i];
+          for (int d = 0; d < dim; ++d)
+            sum += velocity_[i][d];
+        }
+    if (!std::isfinite(sum))
+      fail_not_finite();
+    link_force_ = {};
+    update_wet_surface();
+  }
+
+
+  template <int dim>
+  void ExplicitStructure<dim>::compute_force()
+  {
+    std::fill(force_.begin(), force_.end(), Vec<dim>{});
+    const auto worst = kernel_->add_internal_force(displacement_, force_);
+    if (!(worst.smallest_volume_ratio > 0))
+      {
+        std::ostringstream message;
+        message << name_ << ": cell " << worst.cell << " with its undeformed centre at "
+                << place(mesh_.cell_centre(worst.cell)) << " has turned inside out at " << time_ << " s: its volume is "
+                << worst.smallest_volume_ratio
+                << " of the undeformed one. The load is too great for the material or for these cells; use smaller "
+                   "cells, or a material that resists compression.";
+        throw BreakdownError(message.str());
+      }
+    smallest_volume_ratio_ = worst.smallest_volume_ratio;
+  }
+
+
+  template <int dim>
+  void ExplicitStructure<dim>::add_body_forces()
+  {
+    std::fill(body_acceleration_.begin(), body_acceleration_.end(), Vec<dim>{});
+    if (body_forces_act_)
+      for (const auto &body_force : *body_forces_)
+        body_force->add_acceleration(time_, position_, body_acceleration_);
+  }
+
+
+  template <int dim>
+  void ExplicitStructure<dim>::add_link_force(const std::vector<Vec<dim>> &force, const double time_step)
+  {
+    for (std::size_t w = 0; w < wet_nodes_.size(); ++w)
+      {
+        const Vec<dim> change = inverse_mass_[wet_nodes_[w]] * force[w];
+        acceleration_[wet_nodes_[w]] += change;
+        velocity_[wet_nodes_[w]] += (0.5 * time_step) * change;
+        link_force_ += force[w];
+      }
+    update_wet_surface();
+  }
+
+
+  template <int dim>
+  void ExplicitStructure<dim>::end_step()
+  {
+    PhaseTimer timer(*context_, Phase::structure);
+    ++n_steps_;
+    if (n_steps_ % steps_per_bound == 0)
+      largest_frequency_ = std::sqrt(kernel_->bound_eigenvalue(displacement_, directions_, 1));
+    if (!std::isfinite(largest_frequency_))
+      fail_not_finite();
+    context_->set_summary_max(name_ + " largest compression of a cell [-]", 1 - smallest_volume_ratio_);
+  }
+
+
+  template <int dim>
+  void ExplicitStructure<dim>::fail_not_finite() const
+  {
+    std::size_t i = 0;
+    while (i + 1 < velocity_.size() && std::isfinite(dot(velocity_[i], velocity_[i])))
+      ++i;
+    std::ostringstream message;
+    message << name_ << ": the velocity of node " << i << ", undeformed at " << place(mesh_.nodes[i])
+            << ", is not finite at " << time_
+            << " s. The step may be unstable: use a smaller \"Fraction of the bound\".";
+    throw BreakdownError(message.str());
+  }
+
+
+  template <int dim>
+  void ExplicitStructure<dim>::make_wet_surface()
+  {
+    const unsigned int        none = -1;
+    std::vector<unsigned int> wet_index(mesh_.nodes.size(), none);
+    for (const auto &facet : mesh_.facets)
+      if (is_wet_[facet.boundary])
+        {
+          wet_surface_.facets.push_back(facet.nodes);
+          for (unsigned int &node : wet_surface_.facets.back())
+            {
+              if (wet_index[node] == none)
+                {
+                  wet_index[node] = wet_nodes_.size();
+                  wet_nodes_.push_back(node);
+                }
+              node = wet_index[node];
+            }
+        }
+    wet_surface_.position.resize(wet_nodes_.size());
+    wet_surface_.velocity.resize(wet_nodes_.size());
+    wet_surface_.acceleration.resize(wet_nodes_.size());
+    wet_surface_.inverse_mass.resize(wet_nodes_.size());
+    for (std::size_t w = 0; w < wet_nodes_.size(); ++w)
+      for (int d = 0; d < dim; ++d)
+        wet_surface_.inverse_mass[w][d] = inverse_mass_[wet_nodes_[w]];
+    wet_surface_.revision = 1;
+    update_wet_surface();
+  }
+
+
+  template <int dim>
+  void ExplicitStructure<dim>::update_wet_surface()
+  {
+    for (std::size_t w = 0; w < wet_nodes_.size(); ++w)
+      {
+        wet_surface_.position[w]     = position_[wet_nodes_[w]];
+        wet_surface_.velocity[w]     = velocity_[wet_nodes_[w]];
+        wet_surface_.acceleration[w] = acceleration_[wet_nodes_[w]];
+      }
+  }
+
+
+  template <int dim>
+  void ExplicitStructure<dim>::adopt_surface(const WetSurface<dim> &)
+  {
+    throw InputError(name_ + ": a structure has a mesh of its own and can't take the surface of another domain");
+  }
+
+  template <int dim>
+  void ExplicitStructure<dim>::correct_surface(const std::vector<Vec<dim>> &)
+  {
+    throw InputError(name_ + ": a structure has a mesh of its own; another domain can't move its nodes");
+  }
+
+
+  template <int dim>
+  DomainBalance<dim> ExplicitStructure<dim>::balance() const
+  {
+    DomainBalance<dim> balance;
+    for (std::size_t i = 0; i < mass_.size(); ++i)
+      {
+        balance.mass += mass_[i];
+        balance.momentum += mass_[i] * velocity_[i];
+        balance.kinetic_energy += 0.5 * mass_[i] * dot(velocity_[i], velocity_[i]);
+        if (body_forces_act_)
+          for (const auto &body_force : *body_forces_)
+            balance.potential_energy += mass_[i] * body_force->potential(position_[i]);
+      }
+    balance.strain_energy = kernel_->strain_energy(displacement_);
+    return balance;
+  }
+
+
+  template <int dim>
+  void ExplicitStructure<dim>::add_history(Row &row) const
+  {
+    const DomainBalance<dim> now = balance();
+    row.emplace_back(name_ + " kinetic energy [J]", now.kinetic_energy);
+    row.emplace_back(name_ + " strain energy [J]", now.strain_energy);
+    row.emplace_back(name_ + " stable step [s]", stable_time_step());
+    if (!wet_nodes_.empty())
+      for (int d = 0; d < dim; ++d)
+        row.emplace_back(name_ + " link force " + "xyz"[d] + " [N]", link_force_[d]);
+  }
+
+
+  /// Cells of degree 2 are split into 2^dim linear ones.
+  template <int dim>
+  OutputMesh<dim> ExplicitStructure<dim>::output_mesh() const
+  {
+    OutputMesh<dim> output;
+    output.position          = position_;
+    output.vertices_per_cell = 1u << dim;
+    const unsigned int n     = degree_ + 1;
+    for (unsigned int cell = 0; cell < mesh_.n_cells(); ++cell)
+      for (unsigned int k = 0; k < (dim == 3 ? degree_ : 1); ++k)
+        for (unsigned int j = 0; j < degree_; ++j)
+          for (unsigned int i = 0; i < degree_; ++i)
+            for (unsigned int vertex = 0; vertex < output.vertices_per_cell; ++vertex)
+              {
+                const unsigned int x = i + vertex % 2, y = j + vertex / 2 % 2, z = k + vertex / 4;
+                output.cells.push_back(mesh_.cell_nodes[cell * mesh_.nodes_per_cell() + x + n * (y + n * z)]);
+              }
+
+    const auto flat = [](const std::vector<Vec<dim>> &vectors) {
+      std::vector<double> values;
+      values.reserve(vectors.size() * dim);
+      for (const Vec<dim> &vector : vectors)
+        values.insert(values.end(), vector.c, vector.c + dim);
+      return values;
+    };
+    output.fields.push_back({"displacement", dim, flat(displacement_)});
+    output.fields.push_back({"velocity", dim, flat(velocity_)});
+    output.fields.push_back(
+      {dim == 3 ? "von Mises stress" : "von Mises stress in the plane", 1, kernel_->von_mises_stress(displacement_)});
+    return output;
+  }
+
+
+  template <int dim>
+  void ExplicitStructure<dim>::save(std::ostream &stream) const
+  {
+    write(stream, time_);
+    write(stream, n_steps_);
+    write(stream, largest_frequency_);
+    write(stream, smallest_volume_ratio_);
+    write(stream, link_force_);
+    write(stream, displacement_);
+    write(stream, velocity_);
+    write(stream, acceleration_);
+    write(stream, directions_);
+  }
+
+  template <int dim>
+  void ExplicitStructure<dim>::load(std::istream &stream)
+  {
+    read(stream, time_);
+    read(stream, n_steps_);
+    read(stream, largest_frequency_);
+    read(stream, smallest_volume_ratio_);
+    read(stream, link_force_);
+    read(stream, displacement_);
+    read(stream, velocity_);
+    read(stream, acceleration_);
+    read(stream, directions_);
+    if (!stream)
+      throw InputError(name_ + ": the checkpoint ends too early");
+    for (std::size_t i = 0; i < position_.size(); ++i)
+      position_[i] = mesh_.nodes[i] + displacement_[i];
+    update_wet_surface();
+  }
+
+
+  template <int dim>
+  std::unique_ptr<ExplicitDomain<dim>> make_structure()
+  {
+    return std::make_unique<ExplicitStructure<dim>>();
+  }
+
+  template class ExplicitStructure<2>;
+  template class ExplicitStructure<3>;
+  template std::unique_ptr<ExplicitDomain<2>> make_structure<2>();
+  template std::unique_ptr<ExplicitDomain<3>> make_structure<3>();
+} // namespace Breakwater

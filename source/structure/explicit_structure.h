@@ -1,0 +1,94 @@
+#pragma once
+
+#include "cell_kernel.h"
+
+#include <breakwater/base/parameter_reader.h>
+#include <breakwater/interfaces/explicit_domain.h>
+#include <breakwater/interfaces/material.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace Breakwater
+{
+  /// A total-Lagrangian solid of hexahedra or quadrilaterals with lumped mass, advanced by velocity Verlet.
+  ///
+  /// M a = F_int(u) + M g - alpha M v + link forces. The damping force takes v(n) + dt/2 a(n), as explicit codes do:
+  /// with it the step stays explicit, and stable up to 2/omega (sqrt(1 + xi^2) - xi), xi = alpha / (2 omega)
+  /// (Belytschko, Liu, Moran, Nonlinear Finite Elements, 2nd ed., section 6.2). Held nodes never move.
+  template <int dim>
+  class ExplicitStructure : public ExplicitDomain<dim>
+  {
+  public:
+    ExplicitStructure();
+
+    void declare_parameters(ParameterReader &reader) override;
+    void check_parameters(ParameterReader &reader) override;
+
+    void   setup(const std::string &name, const BodyForces<dim> &body_forces, RunContext &context) override;
+    double stable_time_step() const override;
+    void   advance_free(double time_step) override;
+    void   add_link_force(const std::vector<Vec<dim>> &force, double time_step) override;
+    void   end_step() override;
+
+    const WetSurface<dim> &wet_surface() const override { return wet_surface_; }
+    void                   adopt_surface(const WetSurface<dim> &partner) override;
+    bool                   can_adopt_surface() const override { return false; }
+    void                   correct_surface(const std::vector<Vec<dim>> &position) override;
+
+    DomainBalance<dim> balance() const override;
+    void               add_history(Row &row) const override;
+    OutputMesh<dim>    output_mesh() const override;
+    void               save(std::ostream &stream) const override;
+    void               load(std::istream &stream) override;
+
+  private:
+    void make_wet_surface();
+    void update_wet_surface();
+    void compute_force();
+    void add_body_forces();
+    void bound_frequency();
+
+    [[noreturn]] void fail_not_finite() const;
+
+    PluginList<Material<dim>> material_;
+    std::string               mesh_text_;
+    unsigned int              degree_ = 2;
+    std::vector<std::string>  clamp_names_;
+    std::vector<std::string>  wet_names_       = {"all"};
+    bool                      body_forces_act_ = true;
+    double                    fraction_        = 0.9; ///< of the bound on the step
+    double                    damping_         = 0;   ///< alpha [1/s]
+    std::string               initial_velocity_text_;
+
+    BoxMesh<dim>              box_{};
+    std::array<bool, 2 * dim> is_clamped_{}; ///< [boundary]
+    std::array<bool, 2 * dim> is_wet_{};     ///< [boundary]
+
+    std::string                      name_;
+    const BodyForces<dim>           *body_forces_ = nullptr;
+    RunContext                      *context_     = nullptr;
+    SolidMesh<dim>                   mesh_;
+    std::unique_ptr<CellKernel<dim>> kernel_;
+    std::vector<double>              mass_;         ///< [kg]
+    std::vector<double>              inverse_mass_; ///< [1/kg], 0 at held nodes
+    WetSurface<dim>                  wet_surface_;
+    std::vector<unsigned int>        wet_nodes_; ///< [node of wet_surface_]
+
+    double                time_    = 0; ///< [s]
+    unsigned long         n_steps_ = 0;
+    std::vector<Vec<dim>> displacement_;              ///< [m]
+    std::vector<Vec<dim>> velocity_;                  ///< [m/s]
+    std::vector<Vec<dim>> acceleration_;              ///< [m/s^2], link forces included
+    Vec<dim>              link_force_;                ///< sum over the nodes at the last step [N]
+    std::vector<double>   directions_;                ///< of the power iteration, see CellKernel::bound_eigenvalue()
+    double                largest_frequency_     = 0; ///< bound on it [rad/s]
+    double                smallest_volume_ratio_ = 1; ///< of a cell at the last force evaluation
+
+    std::vector<Vec<dim>> position_;          ///< work: current positions [m]
+    std::vector<Vec<dim>> force_;             ///< work: internal force [N]
+    std::vector<Vec<dim>> body_acceleration_; ///< [m/s^2]; computed once if the body forces are uniform
+    bool                  body_acceleration_is_fixed_ = false;
+  };
+} // namespace Breakwater

@@ -1,0 +1,164 @@
+#include "mesh_description.h"
+
+#include <breakwater/base/exceptions.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <cstdlib>
+
+namespace Breakwater
+{
+  namespace
+  {
+    std::string trimmed_lower(const std::string &text)
+    {
+      const auto  first = std::find_if_not(text.begin(), text.end(), [](unsigned char c) {
+        return std::isspace(c);
+      });
+      const auto  last  = std::find_if_not(text.rbegin(), text.rend(), [](unsigned char c) {
+        return std::isspace(c);
+      });
+      std::string result;
+      if (first < last.base())
+        std::transform(first, last.base(), std::back_inserter(result), [](unsigned char c) {
+          return std::tolower(c);
+        });
+      return result;
+    }
+
+    std::vector<std::string> split(const std::string &text, const char separator)
+    {
+      std::vector<std::string> parts(1);
+      for (const char c : text)
+        if (c == separator)
+          parts.emplace_back();
+        else
+          parts.back() += c;
+      for (std::string &part : parts)
+        part = trimmed_lower(part);
+      return parts;
+    }
+
+    template <int dim>
+    [[noreturn]] void fail_box(const std::string &text, const std::string &reason)
+    {
+      throw InputError(
+        "\"" + text + "\" is no mesh: " + reason + "; expected is " +
+        (dim == 3 ? "box(x0, y0, z0; x1, y1, z1; nx, ny, nz): two opposite corners [m] and the number of cells in each "
+                    "direction, e.g. box(0, 0, 0; 0.012, 0.08, 0.15; 1, 6, 8)" :
+                    "box(x0, y0; x1, y1; nx, ny): two opposite corners [m] and the number of cells in each direction, "
+                    "e.g. box(0, 0; 0.012, 0.08; 1, 6)"));
+    }
+
+    /// The numbers of one part of a box text.
+    template <int dim>
+    std::array<double, dim> parse_numbers(const std::string &text, const std::string &part)
+    {
+      const std::vector<std::string> words = split(part, ',');
+      if (words.size() != dim)
+        fail_box<dim>(text, "\"" + part + "\" has " + std::to_string(words.size()) + " numbers where " +
+                              std::to_string(dim) + " are needed");
+      std::array<double, dim> numbers;
+      for (int d = 0; d < dim; ++d)
+        {
+          char *end  = nullptr;
+          numbers[d] = std::strtod(words[d].c_str(), &end);
+          if (words[d].empty() || *end != '\0' || !std::isfinite(numbers[d]))
+            fail_box<dim>(text, "\"" + words[d] + "\" is no number");
+        }
+      return numbers;
+    }
+  } // namespace
+
+
+  template <int dim>
+  BoxMesh<dim> parse_box_mesh(const std::string &text)
+  {
+    const std::string trimmed = trimmed_lower(text);
+    if (trimmed.empty())
+      fail_box<dim>(text, "it is empty");
+    const std::size_t open = trimmed.find('(');
+    if (open == std::string::npos || trimmed.back() != ')' || trimmed_lower(trimmed.substr(0, open)) != "box")
+      fail_box<dim>(text, "it does not read box(...)");
+    const std::vector<std::string> parts = split(trimmed.substr(open + 1, trimmed.size() - open - 2), ';');
+    if (parts.size() != 3)
+      fail_box<dim>(text, "it has " + std::to_string(parts.size()) + " parts between semicolons where 3 are needed");
+
+    const auto   lower   = parse_numbers<dim>(text, parts[0]);
+    const auto   upper   = parse_numbers<dim>(text, parts[1]);
+    const auto   n_cells = parse_numbers<dim>(text, parts[2]);
+    BoxMesh<dim> box;
+    for (int d = 0; d < dim; ++d)
+      {
+        if (!(lower[d] < upper[d]))
+          fail_box<dim>(text, "the first corner must be smaller than the second in every coordinate");
+        if (n_cells[d] < 1 || n_cells[d] > 1e6 || n_cells[d] != std::floor(n_cells[d]))
+          fail_box<dim>(text, "the numbers of cells must be whole, from 1 to 1000000");
+        box.lower[d]   = lower[d];
+        box.upper[d]   = upper[d];
+        box.n_cells[d] = static_cast<unsigned int>(n_cells[d]);
+      }
+    return box;
+  }
+
+
+  template <int dim>
+  std::vector<std::string> boundary_names()
+  {
+    const std::vector<std::string> names = {"left", "right", "bottom", "top", "front", "back"};
+    return {names.begin(), names.begin() + 2 * dim};
+  }
+
+
+  template <int dim>
+  std::array<bool, 2 * dim> parse_boundaries(const std::vector<std::string> &names)
+  {
+    const std::vector<std::string> known  = boundary_names<dim>();
+    std::array<bool, 2 *dim>       marked = {};
+    for (const std::string &name : names)
+      {
+        const auto found = std::find(known.begin(), known.end(), trimmed_lower(name));
+        if (found == known.end())
+          {
+            std::string list;
+            for (const std::string &k : known)
+              list += (list.empty() ? "" : ", ") + k;
+            throw InputError("there is no boundary \"" + name + "\"; a box has " + list);
+          }
+        if (marked[found - known.begin()])
+          throw InputError("the boundary \"" + name + "\" is named twice");
+        marked[found - known.begin()] = true;
+      }
+    return marked;
+  }
+
+
+  std::vector<std::string> split_expressions(const std::string &text)
+  {
+    std::vector<std::string> parts(1);
+    int                      depth = 0;
+    for (const char c : text)
+      {
+        depth += (c == '(') - (c == ')');
+        if (c == ',' && depth == 0)
+          parts.emplace_back();
+        else
+          parts.back() += c;
+      }
+    for (std::string &part : parts)
+      {
+        const std::size_t first = part.find_first_not_of(" \t");
+        const std::size_t last  = part.find_last_not_of(" \t");
+        part                    = first == std::string::npos ? "" : part.substr(first, last - first + 1);
+      }
+    return parts;
+  }
+
+  template BoxMesh<2>               parse_box_mesh<2>(const std::string &);
+  template BoxMesh<3>               parse_box_mesh<3>(const std::string &);
+  template std::vector<std::string> boundary_names<2>();
+  template std::vector<std::string> boundary_names<3>();
+  template std::array<bool, 4>      parse_boundaries<2>(const std::vector<std::string> &);
+  template std::array<bool, 6>      parse_boundaries<3>(const std::vector<std::string> &);
+} // namespace Breakwater
