@@ -1,0 +1,42 @@
+#pragma once
+
+#include "fluid_nodes.h"
+
+#include <breakwater/mesh/simplex_mesh.h>
+
+#include <vector>
+
+namespace Breakwater
+{
+  /// What the force pass computes besides pressure: chosen once per scene, compiled apart, so that an effect which is
+  /// not in the scene costs nothing.
+  struct ForceEffects
+  {
+    bool   viscous              = false;
+    bool   density_diffusion    = false;
+    double viscosity            = 0; ///< [Pa s]
+    double least_viscous_volume = 0; ///< cells smaller than this count as this big in viscous forces [m^dim]
+  };
+
+  /// Nodal volumes V_i = sum over cells of V_c / (dim + 1), signed [m^dim].
+  template <int dim>
+  void compute_volumes(const std::vector<typename SimplexMesh<dim>::Cell> &cells, const std::vector<Quad> &xp,
+                       std::vector<double> &volume);
+
+  /// Nodal forces of the fluid's stresses [N] in the first three components of `force`:
+  ///   F_a = sum_c  p_c A_a - tau_c A_a,   A_a = dV_c/dx_a,   p_c the mean nodal pressure,
+  ///   tau = mu (L + L^T - 2/3 tr L),   L = sum_a v_a (x) A_a / max(|V_c|, least_viscous_volume).
+  /// With p_i = -dE/dV_i the pressure part is exactly -dE/dx: no energy is made between two remeshes.
+  ///
+  /// With density diffusion the fourth component is, of density_slope = (rho; s) with s the hydrostatic gradient of
+  /// the density,  sum_c |V_c| [rho_a - rho_c - s_c . (x_a - x_c)],  the means over the cell written rho_c, s_c, x_c.
+  template <int dim>
+  void compute_forces(const std::vector<typename SimplexMesh<dim>::Cell> &cells, const ForceEffects &effects,
+                      const std::vector<Quad> &xp, const std::vector<Quad> &v, const std::vector<Quad> &density_slope,
+                      std::vector<Quad> &force);
+
+  /// Largest displacement [m] of a node against the mean of one of its cells, of displacements x - x0.
+  template <int dim>
+  double largest_relative_displacement(const std::vector<typename SimplexMesh<dim>::Cell> &cells,
+                                       const std::vector<Quad> &x, const std::vector<Quad> &x0);
+} // namespace Breakwater

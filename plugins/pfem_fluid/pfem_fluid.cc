@@ -1,0 +1,582 @@
+#include "pfem_fluid.h"
+
+#include "volume_conservation.h"
+
+#include <breakwater/base/exceptions.h>
+#include <breakwater/mesh/quality.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iostream>
+#include <sstream>
+
+namespace Breakwater
+{
+  namespace
+  {
+    /// Inertia of an interface node that carries no fluid mass, as a fraction of a regular node's: a number that lets
+    /// the coupler divide by it. The node moves with its companion, so it changes nothing else.
+    constexpr double massless_inertia = 1e-6;
+
+    double power(const double h, const int dim)
+    {
+      return dim == 2 ? h * h : h * h * h;
+    }
+  } // namespace
+
+
+  template <int dim>
+  void PfemFluid<dim>::declare_parameters(ParameterReader &reader)
+  {
+    parameters_.declare(reader);
+  }
+
+
+  template <int dim>
+  void PfemFluid<dim>::check_parameters(ParameterReader &reader)
+  {
+    parameters_.check(reader);
+  }
+
+
+  template <int dim>
+  void PfemFluid<dim>::adopt_surface(const WetSurface<dim> &partner)
+  {
+    adopted_ = AdoptedSurface<dim>(partner);
+  }
+
+
+  template <int dim>
+  void PfemFluid<dim>::setup(const std::string &name, const BodyForces<dim> &body_forces, RunContext &context)
+  {
+    name_        = name;
+    body_forces_ = &body_forces;
+    context_     = &context;
+
+    const FluidRheology &rheology = parameters_.rheology.front();
+    effects_.viscous              = rheology.is_viscous();
+    effects_.viscosity            = effects_.viscous ? rheology.largest_viscosity() : 0.;
+    effects_.density_diffusion    = parameters_.density_diffusion > 0;
+    // A sliver that passes through zero volume would make its viscous force infinite.
+    effects_.least_viscous_volume = 0.01 * power(parameters_.spacing, dim);
+    context.note_effect("viscosity", effects_.viscous, "the rheology is inviscid");
+    context.note_effect("density diffusion", effects_.density_diffusion, "its coefficient is 0");
+    context.note_effect("velocity filter", parameters_.filter_weight > 0, "its weight is 0");
+    context.note_effect("tension", parameters_.tension == "allowed", "pressure below zero is cut off");
+    context.note_effect("mesh smoothing", !parameters_.mesh_smoothers.empty(),
+                        "no smoother is named; the spectral bound does not need one");
+
+    body_force_is_uniform_ = true;
+    for (const auto &force : body_forces)
+      body_force_is_uniform_ = body_force_is_uniform_ && force->is_uniform();
+
+    place_initial_nodes();
+    energy_after_remesh_ = fluid_energy();
+  }
+
+
+  template <int dim>
+  double PfemFluid<dim>::stable_time_step() const
+  {
+    // Since the last remesh the fluid may have stiffened.
+    const double now = parameters_.equation_of_state.front().sound_speed(largest_density_);
+    return parameters_.fraction_of_bound * bound_ * std::min(1., sound_speed_at_bound_ / now);
+  }
+
+
+  template <int dim>
+  void PfemFluid<dim>::advance_free(const double time_step)
+  {
+    PhaseTimer timer(*context_, Phase::solver);
+
+    const auto &walls = parameters_.walls;
+    for (std::size_t i = 0; i < nodes_.n; ++i)
+      {
+        Quad &x = nodes_.xp[i], &v = nodes_.v[i];
+        for (int d = 0; d < dim; ++d)
+          {
+            v[d] += 0.5 * time_step * nodes_.a[i][d];
+            x[d] += time_step * v[d];
+          }
+        if (i >= nodes_.n_interface)
+          {
+            const auto contacts = nodes_.contacts[i];
+            walls.stop(x.c, v.c, nodes_.contacts[i]);
+            n_wall_stops_ += contacts != nodes_.contacts[i];
+          }
+      }
+    time_ += time_step;
+
+    compute_volumes<dim>(mesh_.cells, nodes_.xp, nodes_.volume);
+    update_pressure();
+    update_forces();
+    if (effects_.density_diffusion)
+      diffuse_density(time_step);
+
+    for (std::size_t i = 0; i < nodes_.n; ++i)
+      for (int d = 0; d < dim; ++d)
+        nodes_.v[i][d] += 0.5 * time_step * nodes_.a[i][d];
+
+    previous_step_ = time_step;
+    context_->cell_steps += mesh_.cells.size();
+    refresh_surface();
+  }
+
+
+  template <int dim>
+  void PfemFluid<dim>::update_pressure()
+  {
+    const bool allows_tension = parameters_.tension == "allowed";
+    largest_density_          = 0;
+    for (std::size_t i = 0; i < nodes_.n; ++i)
+      {
+        const double J = std::clamp(1. + (nodes_.volume[i] - nodes_.reference_volume[i]) / nodes_.stiffness_volume[i],
+                                    0.7, 1.4);
+        nodes_.density[i] = nodes_.base_density[i] / J;
+        largest_density_  = std::max(largest_density_, nodes_.density[i]);
+      }
+    pressure_buffer_.resize(nodes_.n);
+    parameters_.equation_of_state.front().pressure(nodes_.density.data(), pressure_buffer_.data(), nodes_.n);
+    for (std::size_t i = 0; i < nodes_.n; ++i)
+      nodes_.xp[i][3] = allows_tension ? pressure_buffer_[i] : std::max(0., pressure_buffer_[i]);
+  }
+
+
+  template <int dim>
+  void PfemFluid<dim>::update_body_acceleration()
+  {
+    if (body_force_is_uniform_ && !body_acceleration_.empty())
+      return;
+    std::vector<Vec<dim>> places = body_force_is_uniform_ ? std::vector<Vec<dim>>(1) : nodes_.positions();
+    body_acceleration_.assign(places.size(), Vec<dim>());
+    for (const auto &force : *body_forces_)
+      force->add_acceleration(time_, places, body_acceleration_);
+  }
+
+
+  template <int dim>
+  void PfemFluid<dim>::update_forces()
+  {
+    update_body_acceleration();
+    const auto   body        = [&](const std::size_t i) { return body_acceleration_[body_force_is_uniform_ ? 0 : i]; };
+    const auto  &walls       = parameters_.walls;
+    const double least_mass  = massless_inertia * parameters_.equation_of_state.front().reference_density() *
+                              power(parameters_.spacing, dim);
+
+    if (effects_.density_diffusion)
+      {
+        // The hydrostatic gradient of the density in a fluid that accelerates by a is rho0 / c^2 (g - a).
+        const EquationOfState &state = parameters_.equation_of_state.front();
+        const double           c     = state.sound_speed(state.reference_density());
+        const double           slope = state.reference_density() / (c * c);
+        for (std::size_t i = 0; i < nodes_.n; ++i)
+          {
+            for (int d = 0; d < dim; ++d)
+              nodes_.density_slope[i][d] = slope * (body(i)[d] - nodes_.a[i][d]);
+            nodes_.density_slope[i][3] = nodes_.density[i];
+          }
+      }
+
+    compute_forces<dim>(mesh_.cells, effects_, nodes_.xp, nodes_.v, nodes_.density_slope, nodes_.force);
+
+    for (std::size_t i = 0; i < nodes_.n_interface; ++i)
+      {
+        const double mass = std::max(nodes_.mass[i], least_mass);
+        for (int d = 0; d < dim; ++d)
+          nodes_.a[i][d] = nodes_.force[i][d] / mass + body(i)[d];
+      }
+    for (std::size_t i = nodes_.n_interface; i < nodes_.n; ++i)
+      {
+        for (int d = 0; d < dim; ++d)
+          nodes_.a[i][d] = nodes_.force[i][d] / nodes_.mass[i] + body(i)[d];
+        walls.constrain(nodes_.a[i].c, nodes_.v[i].c, nodes_.contacts[i]);
+      }
+    if (!contact_impulse_.empty() && previous_step_ > 0)
+      {
+        for (std::size_t i = 0; i < nodes_.n_interface; ++i)
+          for (int d = 0; d < dim; ++d)
+            nodes_.a[i][d] += contact_impulse_[i][d] / (previous_step_ * std::max(nodes_.mass[i], least_mass));
+        contact_impulse_.clear();
+      }
+  }
+
+
+  template <int dim>
+  void PfemFluid<dim>::diffuse_density(const double time_step)
+  {
+    const EquationOfState &state  = parameters_.equation_of_state.front();
+    const double           c      = state.sound_speed(state.reference_density());
+    const double           factor = -parameters_.density_diffusion * c * time_step / (parameters_.spacing * (dim + 1));
+    for (std::size_t i = 0; i < nodes_.n; ++i)
+      if (nodes_.has_cells[i])
+        nodes_.base_density[i] += factor * nodes_.force[i][3] / nodes_.stiffness_volume[i];
+  }
+
+
+  template <int dim>
+  void PfemFluid<dim>::add_link_force(const std::vector<Vec<dim>> &force, const double time_step)
+  {
+    const auto &inverse_mass = adopted_.surface().inverse_mass;
+    for (std::size_t i = 0; i < nodes_.n_interface; ++i)
+      for (int d = 0; d < dim; ++d)
+        {
+          const double change = inverse_mass[i][d] * force[i][d];
+          nodes_.a[i][d] += change;
+          nodes_.v[i][d] += 0.5 * time_step * change;
+          // The link force acts on a node that moves with its companion: its power is force times velocity.
+          interface_work_ += time_step * force[i][d] * nodes_.v[i][d];
+        }
+    refresh_surface();
+  }
+
+
+  template <int dim>
+  void PfemFluid<dim>::correct_surface(const std::vector<Vec<dim>> &position)
+  {
+    for (std::size_t i = 0; i < nodes_.n_interface; ++i)
+      for (int d = 0; d < dim; ++d)
+        nodes_.xp[i][d] = position[i][d];
+    refresh_surface();
+  }
+
+
+  template <int dim>
+  void PfemFluid<dim>::refresh_surface()
+  {
+    WetSurface<dim> &surface = adopted_.surface();
+    const double     least_mass = massless_inertia * parameters_.equation_of_state.front().reference_density() *
+                              power(parameters_.spacing, dim);
+    for (std::size_t i = 0; i < nodes_.n_interface; ++i)
+      {
+        surface.position[i]     = nodes_.position(i);
+        surface.velocity[i]     = nodes_.velocity(i);
+        surface.acceleration[i] = FluidNodes<dim>::vec(nodes_.a[i]);
+        for (int d = 0; d < dim; ++d)
+          surface.inverse_mass[i][d] = 1. / std::max(nodes_.mass[i], least_mass);
+      }
+  }
+
+
+  template <int dim>
+  void PfemFluid<dim>::end_step()
+  {
+    PhaseTimer timer(*context_, Phase::solver);
+    check_state();
+    if (parameters_.filter_weight > 0 && ++n_steps_since_filter_ >= parameters_.filter_period)
+      {
+        filter_velocity();
+        n_steps_since_filter_ = 0;
+      }
+    if (n_steps_to_check_ > 0)
+      --n_steps_to_check_;
+    else if (needs_remeshing())
+      remesh();
+    else
+      n_steps_to_check_ = 2;
+  }
+
+
+  template <int dim>
+  bool PfemFluid<dim>::needs_remeshing() const
+  {
+    const double allowed = parameters_.largest_strain * parameters_.spacing;
+    if (largest_relative_displacement<dim>(mesh_.cells, nodes_.xp, nodes_.position_at_remesh) > allowed)
+      return true;
+    // Bodies of fluid that fly towards each other share no cell: look again before they can pass a node.
+    for (std::size_t i = 0; i < nodes_.n; ++i)
+      if (nodes_.is_surface[i] || !nodes_.has_cells[i])
+        {
+          double square = 0;
+          for (int d = 0; d < dim; ++d)
+            square += std::pow(nodes_.xp[i][d] - nodes_.position_at_remesh[i][d], 2);
+          if (square > parameters_.spacing * parameters_.spacing)
+            return true;
+        }
+    return false;
+  }
+
+
+  template <int dim>
+  void PfemFluid<dim>::check_state() const
+  {
+    for (std::size_t i = 0; i < nodes_.n; ++i)
+      {
+        double sum = nodes_.xp[i][3];
+        for (int d = 0; d < dim; ++d)
+          sum += nodes_.xp[i][d] + nodes_.v[i][d] + nodes_.a[i][d];
+        if (!std::isfinite(sum))
+          {
+            std::ostringstream message;
+            message << "The state of " << name_ << " is not finite any more at t = " << time_ << " s: node " << i
+                    << " at (";
+            for (int d = 0; d < dim; ++d)
+              message << (d == 0 ? "" : ", ") << nodes_.position_at_remesh[i][d];
+            message << ") m, pressure " << nodes_.xp[i][3] << " Pa, volume " << nodes_.volume[i] << " m^" << dim
+                    << ". The time step is probably too long: lower 'Fraction of the bound' (now "
+                    << parameters_.fraction_of_bound << ").";
+            throw BreakdownError(message.str());
+          }
+      }
+  }
+
+
+  template <int dim>
+  void PfemFluid<dim>::filter_velocity()
+  {
+    // v <- v - w (deviation from the locally linear field), momentum kept exactly: in every cell the impulses add up
+    // to zero. No division by a cell's volume, so slivers do no harm.
+    const double      least_volume = 0.1 * power(parameters_.spacing, dim);
+    const auto       &cells        = mesh_.cells;
+    std::vector<Quad> gradient(nodes_.n * dim); // rows d: grad v_d
+    std::vector<Simplex<dim>> area(cells.size());
+    for (std::size_t c = 0; c < cells.size(); ++c)
+      {
+        Simplex<dim> x;
+        for (int a = 0; a <= dim; ++a)
+          x[a] = nodes_.position(cells[c][a]);
+        area[c] = area_vectors(x);
+        for (int d = 0; d < dim; ++d)
+          for (int e = 0; e < dim; ++e)
+            {
+              double sum = 0;
+              for (int a = 0; a <= dim; ++a)
+                sum += nodes_.v[cells[c][a]][d] * area[c][a][e];
+              for (int a = 0; a <= dim; ++a)
+                gradient[cells[c][a] * dim + d][e] += sum / (dim + 1);
+            }
+      }
+    for (std::size_t i = 0; i < nodes_.n; ++i)
+      for (int d = 0; d < dim; ++d)
+        for (int e = 0; e < dim; ++e)
+          gradient[i * dim + d][e] /= std::max(nodes_.volume[i], least_volume);
+
+    std::vector<Quad> impulse(nodes_.n);
+    for (std::size_t c = 0; c < cells.size(); ++c)
+      {
+        const auto &cell = cells[c];
+        if (std::any_of(cell.begin(), cell.end(), [&](const unsigned int i) { return i < nodes_.n_interface; }))
+          continue;
+        Vec<dim> x_mean, v_mean, row_mean[dim];
+        double   volume = 0, density = std::numeric_limits<double>::infinity();
+        for (int a = 0; a <= dim; ++a)
+          {
+            const unsigned int i = cell[a];
+            x_mean += nodes_.position(i) * (1. / (dim + 1));
+            v_mean += nodes_.velocity(i) * (1. / (dim + 1));
+            for (int d = 0; d < dim; ++d)
+              row_mean[d] += FluidNodes<dim>::vec(gradient[i * dim + d]) * (1. / (dim + 1));
+            density = std::min(density, nodes_.mass[i] / std::max(nodes_.volume[i], least_volume));
+            volume += nodes_.xp[i][0] * area[c][a][0]; // V = sum x A_x, for each coordinate
+          }
+        const double mass = parameters_.filter_weight * density * std::abs(volume) / (dim + 1);
+        for (int a = 0; a <= dim; ++a)
+          {
+            const unsigned int i  = cell[a];
+            const Vec<dim>     dx = nodes_.position(i) - x_mean;
+            for (int d = 0; d < dim; ++d)
+              impulse[i][d] -= mass * (nodes_.v[i][d] - v_mean[d] - dot(row_mean[d], dx));
+          }
+      }
+    for (std::size_t i = nodes_.n_interface; i < nodes_.n; ++i)
+      if (nodes_.has_cells[i])
+        {
+          if (nodes_.contacts[i] != 0)
+            parameters_.walls.mask(impulse[i].c, nodes_.contacts[i]);
+          for (int d = 0; d < dim; ++d)
+            nodes_.v[i][d] += impulse[i][d] / nodes_.mass[i];
+        }
+  }
+
+
+  template <int dim>
+  double PfemFluid<dim>::kinetic_energy() const
+  {
+    double energy = 0;
+    for (std::size_t i = 0; i < nodes_.n; ++i)
+      energy += 0.5 * nodes_.mass[i] * dot(nodes_.velocity(i), nodes_.velocity(i));
+    return energy;
+  }
+
+
+  template <int dim>
+  DomainBalance<dim> PfemFluid<dim>::balance() const
+  {
+    const EquationOfState &state = parameters_.equation_of_state.front();
+    DomainBalance<dim>     result;
+    for (std::size_t i = 0; i < nodes_.n; ++i)
+      {
+        const Vec<dim> x = nodes_.position(i);
+        result.mass += nodes_.mass[i];
+        result.momentum += nodes_.velocity(i) * nodes_.mass[i];
+        for (const auto &force : *body_forces_)
+          result.potential_energy += nodes_.mass[i] * force->potential(x);
+        // The pressure is minus the derivative of this by the volume.
+        if (nodes_.has_cells[i] && (nodes_.density[i] > state.reference_density() || parameters_.tension == "allowed"))
+          result.internal_energy +=
+            nodes_.stiffness_volume[i] * nodes_.base_density[i] * state.specific_energy(nodes_.density[i]);
+      }
+    result.kinetic_energy = kinetic_energy();
+    return result;
+  }
+
+
+  template <int dim>
+  double PfemFluid<dim>::fluid_energy() const
+  {
+    const DomainBalance<dim> now = balance();
+    return now.kinetic_energy + now.potential_energy + now.internal_energy - interface_work_;
+  }
+
+
+  template <int dim>
+  void PfemFluid<dim>::add_history(Row &row) const
+  {
+    const DomainBalance<dim> now = balance();
+    row.emplace_back("fluid mass [kg]", now.mass);
+    for (int d = 0; d < dim; ++d)
+      row.emplace_back(std::string("fluid momentum ") + "xyz"[d] + " [kg m/s]", now.momentum[d]);
+    const double deficit = interior_volume_deficit(nodes_);
+    row.emplace_back("interior volume deficit [-]", deficit);
+    double       volume   = 0, largest_pressure = 0, largest_speed = 0;
+    unsigned int n_isolated = 0;
+    for (std::size_t i = 0; i < nodes_.n; ++i)
+      {
+        volume += nodes_.volume[i];
+        largest_pressure = std::max(largest_pressure, nodes_.xp[i][3]);
+        largest_speed    = std::max(largest_speed, norm(nodes_.velocity(i)));
+        n_isolated += i >= nodes_.n_interface && !nodes_.has_cells[i];
+      }
+    row.emplace_back("fluid mesh volume [m^" + std::to_string(dim) + "]", volume);
+    row.emplace_back("isolated nodes [-]", n_isolated);
+    row.emplace_back("largest pressure [Pa]", largest_pressure);
+    row.emplace_back("largest fluid speed [m/s]", largest_speed);
+    context_->set_summary_max("largest_interior_volume_deficit", std::abs(deficit));
+    const EquationOfState &state = parameters_.equation_of_state.front();
+    context_->set_summary_max("largest_mach_number",
+                              largest_speed / state.sound_speed(state.reference_density()));
+    context_->set_summary("nodes_put_back_at_walls", n_wall_stops_);
+    context_->set_summary("nodes_put_back_out_of_structures", n_pushed_out_);
+    context_->set_summary("fluid_nodes", nodes_.n - nodes_.n_interface);
+    context_->set_summary("fluid_cells", mesh_.cells.size());
+  }
+
+
+  template <int dim>
+  OutputMesh<dim> PfemFluid<dim>::output_mesh() const
+  {
+    OutputMesh<dim> output;
+    output.position          = nodes_.positions();
+    output.vertices_per_cell = dim + 1;
+    for (const auto &cell : mesh_.cells)
+      output.cells.insert(output.cells.end(), cell.begin(), cell.end());
+
+    typename OutputMesh<dim>::Field velocity{"velocity", dim, {}}, pressure{"pressure", 1, {}}, density{"density", 1, {}},
+      surface{"surface", 1, {}};
+    for (std::size_t i = 0; i < nodes_.n; ++i)
+      {
+        velocity.values.insert(velocity.values.end(), nodes_.v[i].c, nodes_.v[i].c + dim);
+        pressure.values.push_back(nodes_.xp[i][3]);
+        density.values.push_back(nodes_.density[i]);
+        surface.values.push_back(nodes_.is_surface[i]);
+      }
+    output.fields = {velocity, pressure, density, surface};
+    return output;
+  }
+
+
+  namespace
+  {
+    template <class T>
+    void write(std::ostream &stream, const T &value)
+    {
+      stream.write(reinterpret_cast<const char *>(&value), sizeof(T));
+    }
+    template <class T>
+    void write(std::ostream &stream, const std::vector<T> &values)
+    {
+      write(stream, values.size());
+      stream.write(reinterpret_cast<const char *>(values.data()), values.size() * sizeof(T));
+    }
+    template <class T>
+    void read(std::istream &stream, T &value)
+    {
+      stream.read(reinterpret_cast<char *>(&value), sizeof(T));
+    }
+    template <class T>
+    void read(std::istream &stream, std::vector<T> &values)
+    {
+      std::size_t n = 0;
+      read(stream, n);
+      values.resize(n);
+      stream.read(reinterpret_cast<char *>(values.data()), n * sizeof(T));
+    }
+
+    /// Calls `visit` with every number of the state, for saving and loading alike.
+    template <class Nodes, class Mesh, class Visitor>
+    void visit_nodes(Nodes &nodes, Mesh &mesh, const Visitor &visit)
+    {
+      visit(nodes.n);
+      visit(nodes.n_interface);
+      visit(nodes.xp);
+      visit(nodes.v);
+      visit(nodes.a);
+      visit(nodes.force);
+      visit(nodes.density_slope);
+      visit(nodes.mass);
+      visit(nodes.base_density);
+      visit(nodes.density);
+      visit(nodes.volume);
+      visit(nodes.reference_volume);
+      visit(nodes.stiffness_volume);
+      visit(nodes.companion_mass);
+      visit(nodes.position_at_remesh);
+      visit(nodes.contacts);
+      visit(nodes.walls);
+      visit(nodes.is_surface);
+      visit(nodes.has_cells);
+      visit(mesh.cells);
+      visit(mesh.boundary);
+    }
+  } // namespace
+
+
+  template <int dim>
+  void PfemFluid<dim>::save(std::ostream &stream) const
+  {
+    const auto visit = [&](const auto &value) { write(stream, value); };
+    visit_nodes(nodes_, mesh_, visit);
+    visit(contact_impulse_);
+    visit(adopted_.surface().revision);
+    for (const double value : {time_, previous_step_, bound_, sound_speed_at_bound_, largest_density_, interface_work_,
+                               energy_after_remesh_, spectral_bound_})
+      visit(value);
+    for (const unsigned int value : {n_steps_since_filter_, n_steps_to_check_, n_remeshes_})
+      visit(value);
+    visit(n_wall_stops_);
+    visit(n_pushed_out_);
+  }
+
+
+  template <int dim>
+  void PfemFluid<dim>::load(std::istream &stream)
+  {
+    const auto visit = [&](auto &value) { read(stream, value); };
+    visit_nodes(nodes_, mesh_, visit);
+    visit(contact_impulse_);
+    visit(adopted_.surface().revision);
+    for (double *value : {&time_, &previous_step_, &bound_, &sound_speed_at_bound_, &largest_density_,
+                          &interface_work_, &energy_after_remesh_, &spectral_bound_})
+      visit(*value);
+    for (unsigned int *value : {&n_steps_since_filter_, &n_steps_to_check_, &n_remeshes_})
+      visit(*value);
+    visit(n_wall_stops_);
+    visit(n_pushed_out_);
+    if (!body_force_is_uniform_)
+      update_body_acceleration();
+    refresh_surface();
+    adopted_.update_normals();
+  }
+
+  template class PfemFluid<2>;
+  template class PfemFluid<3>;
+} // namespace Breakwater

@@ -1,0 +1,106 @@
+#pragma once
+
+#include "fluid_nodes.h"
+#include "kernels.h"
+#include "pfem_parameters.h"
+#include "structure_contact.h"
+
+#include <breakwater/interfaces/explicit_domain.h>
+
+#include <string>
+#include <vector>
+
+namespace Breakwater
+{
+  /// A weakly compressible fluid whose mesh moves with it: the explicit particle finite element method (Meduri,
+  /// Cremonesi and Perego, section 3) with one pressure per node.
+  ///
+  /// Unknowns at the nodes of a simplex mesh: position, velocity, mass, density, pressure. From the nodal volumes V_i,
+  ///   rho_i = rho_b,i / J_i,   J_i = 1 + (V_i - V0_i) / Vhat_i,   p_i = p(rho_i),
+  /// where rho_b and V0 date from the last remesh, and Vhat_i = V0_i except at the few nodes that would be too stiff
+  /// for the step (they are softened, see set_references()). Numerics and measurements: doc/numerics.md.
+  template <int dim>
+  class PfemFluid : public ExplicitDomain<dim>
+  {
+  public:
+    void declare_parameters(ParameterReader &reader) override;
+    void check_parameters(ParameterReader &reader) override;
+
+    void   setup(const std::string &name, const BodyForces<dim> &body_forces, RunContext &context) override;
+    double stable_time_step() const override;
+    void   advance_free(double time_step) override;
+    void   add_link_force(const std::vector<Vec<dim>> &force, double time_step) override;
+    void   end_step() override;
+
+    const WetSurface<dim> &wet_surface() const override { return adopted_.surface(); }
+    void                   adopt_surface(const WetSurface<dim> &partner) override;
+    bool                   can_adopt_surface() const override { return true; }
+    void                   correct_surface(const std::vector<Vec<dim>> &position) override;
+
+    DomainBalance<dim> balance() const override;
+    void               add_history(Row &row) const override;
+    OutputMesh<dim>    output_mesh() const override;
+    void               save(std::ostream &stream) const override;
+    void               load(std::istream &stream) override;
+
+  private:
+    /// What a remesh did, for its row of remeshing.csv.
+    struct RemeshRecord;
+
+    // pfem_fluid.cc: one time step
+    void update_pressure();
+    void update_forces();
+    void update_body_acceleration();
+    void diffuse_density(double time_step);
+    void filter_velocity();
+    void refresh_surface();
+    void check_state() const;
+    bool needs_remeshing() const;
+
+    // remeshing.cc
+    void place_initial_nodes();
+    void remesh();
+    void triangulate();
+    void smooth_mesh(RemeshRecord &record);
+    void classify_nodes();
+    void shift_to_centroids();
+    void correct_volumes(RemeshRecord &record);
+    void sort_nodes();
+    void set_references();
+    void update_time_step_bound();
+    void add_remeshing_row(const RemeshRecord &record, const DomainBalance<dim> &before,
+                           const DomainBalance<dim> &after);
+
+    double fluid_energy() const;
+    /// Kinetic energy of the nodes 1/2 m v^2 [J].
+    double kinetic_energy() const;
+
+    PfemParameters<dim>    parameters_;
+    std::string            name_;
+    const BodyForces<dim> *body_forces_ = nullptr;
+    RunContext            *context_     = nullptr;
+
+    FluidNodes<dim>       nodes_;
+    SimplexMesh<dim>      mesh_;
+    AdoptedSurface<dim>   adopted_;
+    ForceEffects          effects_;
+    bool                  body_force_is_uniform_ = true;
+    std::vector<Vec<dim>> body_acceleration_; ///< one for all nodes if uniform, else one per node [m/s^2]
+    std::vector<double>   pressure_buffer_;
+    std::vector<Vec<dim>> contact_impulse_; ///< of leaked nodes, to be given to the interface nodes [kg m/s]
+
+    double       time_                 = 0; ///< [s]
+    double       previous_step_        = 0; ///< [s]
+    double       bound_                = 0; ///< of the rule in use at the last remesh [s]
+    double       sound_speed_at_bound_ = 0; ///< largest one then [m/s]
+    double       largest_density_      = 0; ///< now
+    double       interface_work_       = 0; ///< of the link forces on the fluid since the start [J]
+    double       energy_after_remesh_  = 0; ///< less the interface's work [J]
+    double       spectral_bound_       = 0; ///< Gershgorin's, at the last remesh [s]
+    unsigned int n_steps_since_filter_ = 0;
+    unsigned int n_steps_to_check_     = 0; ///< until needs_remeshing() is asked again
+    unsigned int n_remeshes_           = 0;
+    unsigned long n_wall_stops_        = 0; ///< nodes put back at walls
+    unsigned long n_pushed_out_        = 0; ///< nodes put back out of a structure
+  };
+} // namespace Breakwater

@@ -1,0 +1,103 @@
+#include "pfem_parameters.h"
+
+namespace Breakwater
+{
+  template <int dim>
+  PfemParameters<dim>::PfemParameters()
+    : equation_of_state("Equation of state", "tait", "Pressure as a function of density.", 1)
+    , rheology("Rheology", "newtonian", "Viscous stress as a function of the rate of deformation.", 1)
+    , time_step_bound("Time step bound", "spectral", "Rule for the largest stable step.", 1)
+    , mesh_smoothers("Mesh smoothers", "",
+                     "Smoothers that improve each new mesh, in this order. None is needed with the spectral bound.")
+  {}
+
+
+  template <int dim>
+  void PfemParameters<dim>::declare(ParameterReader &reader)
+  {
+    reader.add("Spacing", spacing, "Distance h of the nodes [m]: h^dim is the space of one node.", Range::positive());
+    equation_of_state.declare_parameters(reader);
+    rheology.declare_parameters(reader);
+    time_step_bound.declare_parameters(reader);
+    reader.add("Fraction of the bound", fraction_of_bound,
+               "The time step as a fraction of the bound [-]. More than 1 is unstable with a sharp bound.",
+               {1e-6, 2.});
+    mesh_smoothers.declare_parameters(reader);
+    reader.add("Tension", tension,
+               "Whether the pressure may fall below zero: `none` for violent flow, `allowed` for calm flow in which "
+               "suction matters.",
+               {"none", "allowed"});
+    {
+      SectionScope scope(reader, "Initial state");
+      reader.add("Shape", initial_state.shape_text,
+                 "Where the fluid is at time 0: `box(x, y, z; X, Y, Z)` [m]; in 2D, two coordinates each.");
+      reader.add("Pressure", initial_state.pressure,
+                 "`hydrostatic`: of a fluid at rest under a uniform body force, zero at its highest point; `zero`.",
+                 {"hydrostatic", "zero"});
+      reader.add("Velocity", initial_state.velocity, "Velocity of all nodes [m/s].");
+      reader.add("Jitter", initial_state.jitter,
+                 "Random displacement of the lattice's nodes, as a fraction of the spacing [-].", {0., 0.3});
+      reader.add("Seed", initial_state.seed, "Start of the random numbers for the jitter.");
+    }
+    walls.declare_parameters(reader);
+    {
+      SectionScope scope(reader, "Remeshing");
+      reader.add("Alpha", alpha, "Cells with a circumradius up to alpha times the spacing are fluid [-].", {1., 2.});
+      reader.add("Largest strain", largest_strain,
+                 "Remesh when a node has moved against its cell by this fraction of the spacing [-].", {0.01, 0.5});
+    }
+    {
+      SectionScope scope(reader, "Stabilization");
+      reader.add("Density diffusion", density_diffusion,
+                 "Coefficient xi of the diffusion xi c h of density, blind to hydrostatic gradients [-]; 0: none.",
+                 {0., 1.});
+      reader.add("Velocity filter", filter_weight,
+                 "Part of the velocity's deviation from a locally linear field that is taken away [-]; 0: none.",
+                 {0., 0.5});
+      reader.add("Velocity filter period", filter_period, "Steps from one use of the filter to the next.", 1);
+      reader.add("Softening", softening,
+                 "Upper limit G on h^2/c^2 times the squared nodal frequency: the few stiffer nodes, light ones at "
+                 "the surface, get softer, so that c dt = 2 h / sqrt(G) is always stable [-].",
+                 Range::positive());
+    }
+    {
+      SectionScope scope(reader, "Volume conservation");
+      reader.add("Correction iterations", correction_iterations,
+                 "Conjugate gradient iterations of the position correction at a remesh; 0: no correction.");
+      reader.add("Correction weight", correction_weight, "Part of the missing volume corrected at a remesh [-].",
+                 {0., 1.});
+      reader.add("Exchange sweeps", exchange_sweeps, "Sweeps of the mass exchange at a remesh; 0: no exchange.");
+      reader.add("Centroid shift", centroid_shift,
+                 "Part of the way to its patch's centroid that an interior node is moved at a remesh [-].", {0., 0.5});
+    }
+  }
+
+
+  template <int dim>
+  void PfemParameters<dim>::check(ParameterReader &reader)
+  {
+    if (equation_of_state.empty())
+      reader.fail("Equation of state", "a fluid needs one");
+    if (rheology.empty())
+      reader.fail("Rheology", "a fluid needs one; `inviscid` is the simplest");
+    if (time_step_bound.empty())
+      reader.fail("Time step bound", "a fluid needs one");
+    equation_of_state.check_parameters(reader);
+    rheology.check_parameters(reader);
+    time_step_bound.check_parameters(reader);
+    mesh_smoothers.check_parameters(reader);
+    if (!rheology.front().is_newtonian())
+      reader.fail("Rheology", "only a constant viscosity is possible so far");
+    {
+      SectionScope scope(reader, "Initial state");
+      initial_state.shape = parse_box<dim>(initial_state.shape_text, reader, "Shape", {"box"});
+      for (int d = 0; d < dim; ++d)
+        if (initial_state.shape.upper[d] - initial_state.shape.lower[d] < spacing)
+          reader.fail("Shape", "the shape is thinner than the spacing of " + std::to_string(spacing) + " m");
+    }
+    walls.check_parameters(reader);
+  }
+
+  template struct PfemParameters<2>;
+  template struct PfemParameters<3>;
+} // namespace Breakwater

@@ -1,0 +1,56 @@
+#pragma once
+
+#include "shapes.h"
+#include "walls.h"
+
+#include <breakwater/base/parameter_reader.h>
+#include <breakwater/interfaces/equation_of_state.h>
+#include <breakwater/interfaces/fluid_rheology.h>
+#include <breakwater/interfaces/mesh_smoother.h>
+#include <breakwater/interfaces/time_step_bound.h>
+
+namespace Breakwater
+{
+  /// The fluid at time 0: a box of nodes on a body-centred lattice.
+  template <int dim>
+  struct InitialState
+  {
+    std::string  shape_text = "";
+    std::string  pressure   = "hydrostatic";
+    Vec<dim>     velocity;
+    double       jitter = 0.15;
+    unsigned int seed   = 1;
+
+    BoxShape<dim> shape;
+  };
+
+  /// What a parameter file says about the fluid: section "Fluid/Pfem".
+  template <int dim>
+  struct PfemParameters
+  {
+    double                           spacing = 0.01;
+    PluginList<EquationOfState>      equation_of_state;
+    PluginList<FluidRheology>        rheology;
+    PluginList<TimeStepBound<dim>>   time_step_bound;
+    PluginList<MeshSmoother<dim>>    mesh_smoothers;
+    double                           fraction_of_bound = 0.8;
+    std::string                      tension           = "none";
+    InitialState<dim>                initial_state;
+    Walls<dim>                       walls;
+
+    double       alpha               = 1.25;
+    double       largest_strain      = 0.2;
+    double       softening           = dim == 2 ? 16. : 12.;
+    double       density_diffusion   = 0.5;
+    double       filter_weight       = 0.2;
+    unsigned int filter_period       = 5;
+    double       centroid_shift      = 0.1;
+    unsigned int correction_iterations = 5;
+    double       correction_weight   = 0.3;
+    unsigned int exchange_sweeps     = 8;
+
+    PfemParameters();
+    void declare(ParameterReader &reader);
+    void check(ParameterReader &reader);
+  };
+} // namespace Breakwater

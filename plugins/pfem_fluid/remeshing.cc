@@ -1,0 +1,491 @@
+#include "alpha_shape.h"
+#include "initial_state.h"
+#include "pfem_fluid.h"
+#include "volume_conservation.h"
+
+#include <breakwater/base/exceptions.h>
+#include <breakwater/mesh/quality.h>
+#include <breakwater/mesh/volume_operator.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace Breakwater
+{
+  namespace
+  {
+    double power(const double h, const int dim)
+    {
+      return dim == 2 ? h * h : h * h * h;
+    }
+
+    /// Smallest insphere radius of a mesh, and its distribution in units of the regular cell's.
+    struct QualityReport
+    {
+      double smallest_radius = std::numeric_limits<double>::infinity(); ///< [m]
+      double thousandth = 0, hundredth = 0, median = 0; ///< quantiles of r / r_regular [-]
+    };
+
+    template <int dim>
+    QualityReport mesh_quality(const SimplexMesh<dim> &mesh, const std::vector<Vec<dim>> &position,
+                               const double spacing)
+    {
+      QualityReport       report;
+      std::vector<double> radii;
+      radii.reserve(mesh.cells.size());
+      for (const auto &cell : mesh.cells)
+        {
+          Simplex<dim> x;
+          for (int a = 0; a <= dim; ++a)
+            x[a] = position[cell[a]];
+          radii.push_back(insphere_radius(x));
+        }
+      if (radii.empty())
+        return report;
+      const auto quantile = [&](const double fraction) {
+        const auto place = radii.begin() + static_cast<std::size_t>(fraction * (radii.size() - 1));
+        std::nth_element(radii.begin(), place, radii.end());
+        return *place / reference_insphere_radius<dim>(spacing);
+      };
+      report.median          = quantile(0.5);
+      report.hundredth       = quantile(0.01);
+      report.thousandth      = quantile(0.001);
+      report.smallest_radius = *std::min_element(radii.begin(), radii.end());
+      return report;
+    }
+  } // namespace
+
+
+  template <int dim>
+  struct PfemFluid<dim>::RemeshRecord
+  {
+    QualityReport   quality_before, quality_after; ///< smoothing between
+    SmoothingReport smoothing;
+    double          correction_scale      = 0; ///< of the position correction, by the energy limiter
+    double          triangulation_seconds = 0;
+    double          smoothing_seconds     = 0;
+    double          transfer_seconds      = 0;
+    unsigned int    n_pushed_out          = 0;
+  };
+
+
+  template <int dim>
+  void PfemFluid<dim>::place_initial_nodes()
+  {
+    const double           h     = parameters_.spacing;
+    const EquationOfState &state = parameters_.equation_of_state.front();
+    const auto            &shape = parameters_.initial_state.shape;
+
+    std::vector<Vec<dim>> lattice = fill_box(parameters_.initial_state, h);
+    lattice.erase(std::remove_if(lattice.begin(), lattice.end(),
+                                 [&](const Vec<dim> &x) {
+                                   return !adopted_.empty() && adopted_.signed_distance(x, h) < 0.4 * h;
+                                 }),
+                  lattice.end());
+    const std::vector<unsigned int> order = hilbert_order(lattice);
+
+    const WetSurface<dim> &surface = adopted_.surface();
+    nodes_.n_interface             = adopted_.n_nodes();
+    nodes_.resize(nodes_.n_interface + lattice.size());
+    for (std::size_t i = 0; i < nodes_.n_interface; ++i)
+      {
+        double companion = 0;
+        for (int d = 0; d < dim; ++d)
+          {
+            nodes_.xp[i][d] = surface.position[i][d];
+            nodes_.v[i][d]  = surface.velocity[i][d];
+            // A node that is held somewhere is as good as infinitely heavy for the stability of the fluid.
+            companion = std::max(companion, 1. / std::max(surface.inverse_mass[i][d], 1e-12));
+          }
+        nodes_.companion_mass[i] = companion;
+      }
+    for (std::size_t k = 0; k < lattice.size(); ++k)
+      for (int d = 0; d < dim; ++d)
+        {
+          nodes_.xp[nodes_.n_interface + k][d] = lattice[order[k]][d];
+          nodes_.v[nodes_.n_interface + k][d]  = parameters_.initial_state.velocity[d];
+        }
+
+    // Hydrostatic pressure: zero at the corner of the shape that lies highest against a uniform body force.
+    update_body_acceleration();
+    const Vec<dim> g           = body_acceleration_.front();
+    const bool     hydrostatic = parameters_.initial_state.pressure == "hydrostatic" && body_force_is_uniform_;
+    double         highest     = 0;
+    for (int d = 0; d < dim; ++d)
+      highest += std::min(g[d] * shape.lower[d], g[d] * shape.upper[d]);
+    const double c = state.sound_speed(state.reference_density());
+    for (std::size_t i = 0; i < nodes_.n; ++i)
+      {
+        // dp/ds = rho(p) g s along the force, to second order in compressibility
+        const double head     = std::max(0., dot(g, nodes_.position(i)) - highest);
+        const double pressure = hydrostatic ? state.reference_density() * head * (1 + 0.5 * head / (c * c)) : 0.;
+        nodes_.base_density[i] = nodes_.density[i] = state.density(pressure);
+        if (i >= nodes_.n_interface)
+          nodes_.contacts[i] = parameters_.walls.planes_at(nodes_.position(i), 1e-9 * h);
+      }
+
+    triangulate();
+    if (mesh_.cells.empty())
+      throw InputError("The initial state of the fluid has no cells: its spacing of " + std::to_string(h) +
+                       " m is too large for its shape.");
+    RemeshRecord record;
+    smooth_mesh(record);
+    compute_volumes<dim>(mesh_.cells, nodes_.xp, nodes_.volume);
+    classify_nodes();
+    for (std::size_t i = 0; i < nodes_.n; ++i)
+      {
+        nodes_.mass[i] = nodes_.density[i] * nodes_.volume[i];
+        if (i >= nodes_.n_interface && !nodes_.has_cells[i])
+          nodes_.mass[i] = nodes_.density[i] * power(h, dim);
+      }
+    set_references();
+    update_time_step_bound();
+    update_pressure();
+    update_forces();
+    refresh_surface();
+  }
+
+
+  template <int dim>
+  void PfemFluid<dim>::remesh()
+  {
+    PhaseTimer               timer(*context_, Phase::remeshing);
+    const double             reference_density = parameters_.equation_of_state.front().reference_density();
+    const DomainBalance<dim> before            = balance();
+    RemeshRecord             record;
+
+    // Volumes and pressures belong to the present positions: advance_free() left them so.
+    correct_volumes(record);
+    shift_to_centroids();
+    adopted_.update_normals();
+    std::vector<Vec<dim>> impulse(nodes_.n_interface);
+    record.n_pushed_out = adopted_.push_out(nodes_, 2 * parameters_.spacing, impulse);
+    n_pushed_out_ += record.n_pushed_out;
+
+    if (n_remeshes_ % 20 == 19)
+      sort_nodes();
+    {
+      PhaseTimer triangulation_timer(*context_, Phase::remeshing);
+      triangulate();
+      record.triangulation_seconds = triangulation_timer.seconds();
+    }
+    smooth_mesh(record);
+
+    PhaseTimer transfer_timer(*context_, Phase::remeshing);
+    compute_volumes<dim>(mesh_.cells, nodes_.xp, nodes_.volume);
+    classify_nodes();
+    for (std::size_t i = 0; i < nodes_.n; ++i)
+      {
+        // A stretched surface must not drag density into the interior when it closes.
+        const bool at_surface  = nodes_.is_surface[i] || !nodes_.has_cells[i];
+        nodes_.base_density[i] = at_surface ? std::max(nodes_.density[i], reference_density) : nodes_.density[i];
+        nodes_.density[i]      = nodes_.base_density[i];
+      }
+    exchange_mass<dim>(nodes_, mesh_.cells, reference_density, parameters_.spacing, parameters_.exchange_sweeps);
+    set_references();
+    update_time_step_bound();
+    update_pressure();
+
+    // Interface nodes keep the acceleration that they share with their companions.
+    const std::vector<Quad> acceleration(nodes_.a.begin(), nodes_.a.begin() + nodes_.n_interface);
+    contact_impulse_.clear();
+    update_forces();
+    std::copy(acceleration.begin(), acceleration.end(), nodes_.a.begin());
+    if (record.n_pushed_out > 0)
+      contact_impulse_ = impulse;
+    refresh_surface();
+
+    ++n_remeshes_;
+    ++context_->n_remeshes;
+    n_steps_to_check_         = 2;
+    const auto after          = balance();
+    energy_after_remesh_      = fluid_energy();
+    record.transfer_seconds   = transfer_timer.seconds();
+    add_remeshing_row(record, before, after);
+  }
+
+
+  template <int dim>
+  void PfemFluid<dim>::triangulate()
+  {
+    const double h                      = parameters_.spacing;
+    const double tolerance              = 0.01 * h;
+    const double least_volume_at_walls  = 0.02 * power(h, dim);
+    const std::vector<Vec<dim>> position = nodes_.positions();
+    for (std::size_t i = 0; i < nodes_.n; ++i)
+      nodes_.walls[i] = parameters_.walls.planes_at(position[i], tolerance);
+
+    const auto is_interface = [&](const unsigned int i) { return i < nodes_.n_interface; };
+    const auto keep         = [&](const typename SimplexMesh<dim>::Cell &cell) {
+      auto common       = nodes_.walls[cell[0]];
+      bool is_all_fixed = true, has_interface = false, is_all_interface = true;
+      for (const unsigned int i : cell)
+        {
+          common &= nodes_.walls[i];
+          is_all_fixed     = is_all_fixed && (nodes_.walls[i] != 0 || is_interface(i));
+          has_interface    = has_interface || is_interface(i);
+          is_all_interface = is_all_interface && is_interface(i);
+        }
+      if (common != 0 || is_all_interface)
+        return false;
+      if (is_all_fixed)
+        {
+          Simplex<dim> x;
+          for (int a = 0; a <= dim; ++a)
+            x[a] = position[cell[a]];
+          if (signed_volume(x) < least_volume_at_walls)
+            return false;
+        }
+      return !has_interface || adopted_.accepts(cell, nodes_);
+    };
+    mesh_                     = alpha_shape<dim>(position, parameters_.alpha * h, keep);
+    nodes_.position_at_remesh = nodes_.xp;
+  }
+
+
+  template <int dim>
+  void PfemFluid<dim>::smooth_mesh(RemeshRecord &record)
+  {
+    std::vector<Vec<dim>> position = nodes_.positions();
+    record.quality_before = record.quality_after = mesh_quality<dim>(mesh_, position, parameters_.spacing);
+    if (parameters_.mesh_smoothers.empty())
+      return;
+
+    PhaseTimer timer(*context_, Phase::smoothing);
+    classify_nodes();
+    std::vector<char> is_fixed(nodes_.n);
+    for (std::size_t i = 0; i < nodes_.n; ++i)
+      is_fixed[i] = i < nodes_.n_interface || nodes_.is_surface[i] || nodes_.walls[i] != 0 || !nodes_.has_cells[i];
+    double sum_of_moves = 0;
+    for (std::size_t s = 0; s < parameters_.mesh_smoothers.size(); ++s)
+      {
+        const SmoothingReport report =
+          parameters_.mesh_smoothers[s].smooth(mesh_, position, is_fixed, parameters_.spacing);
+        record.smoothing.n_moved_nodes += report.n_moved_nodes;
+        record.smoothing.n_iterations += report.n_iterations;
+        record.smoothing.largest_move = std::max(record.smoothing.largest_move, report.largest_move);
+        sum_of_moves += report.mean_move * report.n_moved_nodes;
+      }
+    record.smoothing.mean_move = sum_of_moves / std::max(1u, record.smoothing.n_moved_nodes);
+    for (std::size_t i = 0; i < nodes_.n; ++i)
+      for (int d = 0; d < dim; ++d)
+        nodes_.xp[i][d] = position[i][d];
+    nodes_.position_at_remesh = nodes_.xp;
+    record.quality_after      = mesh_quality<dim>(mesh_, position, parameters_.spacing);
+    record.smoothing_seconds  = timer.seconds();
+  }
+
+
+  template <int dim>
+  void PfemFluid<dim>::classify_nodes()
+  {
+    std::fill(nodes_.has_cells.begin(), nodes_.has_cells.end(), 0);
+    std::fill(nodes_.is_surface.begin(), nodes_.is_surface.end(), 0);
+    for (const auto &cell : mesh_.cells)
+      for (const unsigned int i : cell)
+        nodes_.has_cells[i] = 1;
+    for (const auto &facet : mesh_.boundary)
+      {
+        auto common       = nodes_.walls[facet[0]];
+        bool is_interface = true;
+        for (const unsigned int i : facet)
+          {
+            common &= nodes_.walls[i];
+            is_interface = is_interface && i < nodes_.n_interface;
+          }
+        if (common == 0 && !is_interface)
+          for (const unsigned int i : facet)
+            nodes_.is_surface[i] = 1;
+      }
+  }
+
+
+  template <int dim>
+  void PfemFluid<dim>::correct_volumes(RemeshRecord &record)
+  {
+    const std::vector<Quad> shift =
+      volume_correction<dim>(nodes_, mesh_.cells, parameters_.walls,
+                             parameters_.equation_of_state.front().reference_density(), parameters_.spacing,
+                             parameters_.correction_weight, parameters_.correction_iterations);
+    if (shift.empty())
+      return;
+
+    // Lifting fluid costs energy: no more than what has been dissipated since the last remesh.
+    double cost = 0;
+    for (std::size_t i = 0; i < nodes_.n; ++i)
+      {
+        const Vec<dim> x = nodes_.position(i), moved = x + FluidNodes<dim>::vec(shift[i]);
+        for (const auto &force : *body_forces_)
+          cost += nodes_.mass[i] * (force->potential(moved) - force->potential(x));
+      }
+    const double dissipated = energy_after_remesh_ - fluid_energy();
+    const double scale      = cost > 0 ? std::clamp(dissipated / cost, 0., 1.) : 1.;
+    for (std::size_t i = nodes_.n_interface; i < nodes_.n; ++i)
+      {
+        for (int d = 0; d < dim; ++d)
+          nodes_.xp[i][d] += scale * shift[i][d];
+        Quad unused;
+        parameters_.walls.stop(nodes_.xp[i].c, unused.c, nodes_.contacts[i]);
+      }
+    record.correction_scale = scale;
+  }
+
+
+  template <int dim>
+  void PfemFluid<dim>::shift_to_centroids()
+  {
+    if (!(parameters_.centroid_shift > 0))
+      return;
+    std::vector<Quad> moment(nodes_.n); // of the cells around: sum of V x, and of V in the fourth component
+    for (const auto &cell : mesh_.cells)
+      {
+        Simplex<dim> x;
+        Vec<dim>     center;
+        for (int a = 0; a <= dim; ++a)
+          {
+            x[a] = nodes_.position(cell[a]);
+            center += x[a] * (1. / (dim + 1));
+          }
+        const double volume = std::abs(signed_volume(x));
+        for (const unsigned int i : cell)
+          {
+            for (int d = 0; d < dim; ++d)
+              moment[i][d] += volume * center[d];
+            moment[i][3] += volume;
+          }
+      }
+    const double largest = 0.1 * parameters_.spacing;
+    for (std::size_t i = nodes_.n_interface; i < nodes_.n; ++i)
+      if (nodes_.has_cells[i] && !nodes_.is_surface[i] && nodes_.contacts[i] == 0 && nodes_.walls[i] == 0)
+        {
+          Vec<dim> shift;
+          for (int d = 0; d < dim; ++d)
+            shift[d] = parameters_.centroid_shift * (moment[i][d] / moment[i][3] - nodes_.xp[i][d]);
+          const double length = norm(shift);
+          if (length > largest)
+            shift *= largest / length;
+          for (int d = 0; d < dim; ++d)
+            nodes_.xp[i][d] += shift[d];
+        }
+  }
+
+
+  template <int dim>
+  void PfemFluid<dim>::sort_nodes()
+  {
+    std::vector<Vec<dim>> position = nodes_.positions();
+    position.erase(position.begin(), position.begin() + nodes_.n_interface);
+    const std::vector<unsigned int> order = hilbert_order(position);
+
+    const auto permute = [&](auto &values) {
+      const auto old = values;
+      for (std::size_t k = 0; k < order.size(); ++k)
+        values[nodes_.n_interface + k] = old[nodes_.n_interface + order[k]];
+    };
+    for (auto *values : {&nodes_.xp, &nodes_.v, &nodes_.a})
+      permute(*values);
+    for (auto *values : {&nodes_.mass, &nodes_.base_density, &nodes_.density})
+      permute(*values);
+    permute(nodes_.contacts);
+  }
+
+
+  template <int dim>
+  void PfemFluid<dim>::set_references()
+  {
+    const EquationOfState &state   = parameters_.equation_of_state.front();
+    const double           h       = parameters_.spacing;
+    const double           density = state.reference_density();
+
+    std::vector<double> inertia(nodes_.n);
+    for (std::size_t i = 0; i < nodes_.n; ++i)
+      inertia[i] = nodes_.inertia(i);
+    const std::vector<double> row_sums = volume_operator_row_sums(mesh_, nodes_.positions(), inertia);
+
+    double largest = 0; // of W_i b_i, the squared nodal frequencies
+    for (std::size_t i = 0; i < nodes_.n; ++i)
+      {
+        nodes_.reference_volume[i] = nodes_.volume[i];
+        nodes_.stiffness_volume[i] = std::max({nodes_.volume[i], 0.1 * power(h, dim),
+                                               density * h * h * row_sums[i] / parameters_.softening});
+        const double c             = state.sound_speed(nodes_.base_density[i]);
+        largest = std::max(largest, nodes_.base_density[i] * c * c / nodes_.stiffness_volume[i] * row_sums[i]);
+      }
+    spectral_bound_ = largest > 0 ? 2. / std::sqrt(largest) : std::numeric_limits<double>::infinity();
+  }
+
+
+  template <int dim>
+  void PfemFluid<dim>::update_time_step_bound()
+  {
+    const EquationOfState &state = parameters_.equation_of_state.front();
+    std::vector<double>    inertia(nodes_.n), stiffness(nodes_.n), sound_speed(nodes_.n);
+    sound_speed_at_bound_ = 0;
+    for (std::size_t i = 0; i < nodes_.n; ++i)
+      {
+        inertia[i]            = nodes_.inertia(i);
+        sound_speed[i]        = state.sound_speed(nodes_.base_density[i]);
+        stiffness[i]          = nodes_.base_density[i] * sound_speed[i] * sound_speed[i] / nodes_.stiffness_volume[i];
+        sound_speed_at_bound_ = std::max(sound_speed_at_bound_, sound_speed[i]);
+      }
+    const std::vector<Vec<dim>> position = nodes_.positions();
+    const double                bound    = parameters_.time_step_bound.front().bound(
+      {mesh_, position, inertia, stiffness, sound_speed, effects_.viscous ? effects_.viscosity : 0.,
+                         effects_.least_viscous_volume});
+    // Without cells nothing oscillates; still, look for new neighbours now and then.
+    bound_ = std::min(bound, 2 * parameters_.spacing / sound_speed_at_bound_);
+    if (!(bound_ > 0))
+      throw BreakdownError("The time step bound '" + parameters_.time_step_bound.names().front() + "' of " + name_ +
+                           " is " + std::to_string(bound_) + " s at t = " + std::to_string(time_) +
+                           " s: the mesh has a flat cell. Use the spectral bound or a mesh smoother.");
+    context_->step_limited_by = name_ + " (" + parameters_.time_step_bound.names().front() + ")";
+  }
+
+
+  template <int dim>
+  void PfemFluid<dim>::add_remeshing_row(const RemeshRecord &record, const DomainBalance<dim> &before,
+                                         const DomainBalance<dim> &after)
+  {
+    const double r_regular = reference_insphere_radius<dim>(parameters_.spacing);
+    const double c         = sound_speed_at_bound_;
+    double       volume    = 0;
+    unsigned int n_isolated = 0;
+    for (std::size_t i = 0; i < nodes_.n; ++i)
+      {
+        volume += nodes_.volume[i];
+        n_isolated += i >= nodes_.n_interface && !nodes_.has_cells[i];
+      }
+    Row row = {{"time [s]", time_},
+               {"nodes [-]", static_cast<double>(nodes_.n)},
+               {"cells [-]", static_cast<double>(mesh_.cells.size())},
+               {"isolated nodes [-]", static_cast<double>(n_isolated)},
+               {"insphere bound before smoothing [s]", record.quality_before.smallest_radius / c},
+               {"insphere bound [s]", record.quality_after.smallest_radius / c},
+               {"spectral bound [s]", spectral_bound_},
+               {"bound in use [s]", bound_},
+               {"smallest r [-]", record.quality_after.smallest_radius / r_regular},
+               {"r of 0.1 % [-]", record.quality_after.thousandth},
+               {"r of 1 % [-]", record.quality_after.hundredth},
+               {"median r [-]", record.quality_after.median},
+               {"smoothed nodes [-]", static_cast<double>(record.smoothing.n_moved_nodes)},
+               {"largest smoothing move [m]", record.smoothing.largest_move},
+               {"triangulation [CPU s]", record.triangulation_seconds},
+               {"smoothing [CPU s]", record.smoothing_seconds},
+               {"transfer [CPU s]", record.transfer_seconds},
+               {"volume correction scale [-]", record.correction_scale},
+               {"nodes put back out of structures [-]", static_cast<double>(record.n_pushed_out)},
+               {"mass change [kg]", after.mass - before.mass},
+               {"mesh volume [m^" + std::to_string(dim) + "]", volume}};
+    for (int d = 0; d < dim; ++d)
+      row.emplace_back(std::string("momentum change ") + "xyz"[d] + " [kg m/s]", after.momentum[d] - before.momentum[d]);
+    row.emplace_back("kinetic energy change [J]", after.kinetic_energy - before.kinetic_energy);
+    row.emplace_back("potential energy change [J]", after.potential_energy - before.potential_energy);
+    row.emplace_back("internal energy change [J]", after.internal_energy - before.internal_energy);
+    row.emplace_back("interior volume deficit [-]", interior_volume_deficit(nodes_));
+    context_->table("remeshing").add_row(row);
+  }
+
+  template class PfemFluid<2>;
+  template class PfemFluid<3>;
+} // namespace Breakwater

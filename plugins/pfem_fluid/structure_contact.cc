@@ -1,0 +1,221 @@
+#include "structure_contact.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace Breakwater
+{
+  namespace
+  {
+    /// Weights of the place of a segment or triangle nearest to x.
+    template <int dim>
+    void nearest_weights(const Vec<dim> *corner, const Vec<dim> &x, double *weights)
+    {
+      const auto on_segment = [&](const int i, const int j) {
+        const Vec<dim> e = corner[j] - corner[i];
+        return std::clamp(dot(x - corner[i], e) / dot(e, e), 0., 1.);
+      };
+      if constexpr (dim == 2)
+        {
+          weights[1] = on_segment(0, 1);
+          weights[0] = 1 - weights[1];
+        }
+      else
+        {
+          const Vec<3> e1 = corner[1] - corner[0], e2 = corner[2] - corner[0], r = x - corner[0];
+          const double g11 = dot(e1, e1), g12 = dot(e1, e2), g22 = dot(e2, e2), r1 = dot(r, e1), r2 = dot(r, e2);
+          const double determinant = g11 * g22 - g12 * g12;
+          weights[1]               = (g22 * r1 - g12 * r2) / determinant;
+          weights[2]               = (g11 * r2 - g12 * r1) / determinant;
+          weights[0]               = 1 - weights[1] - weights[2];
+          if (weights[0] >= 0 && weights[1] >= 0 && weights[2] >= 0)
+            return;
+          // Outside the triangle: the nearest of the three sides.
+          double best = std::numeric_limits<double>::infinity();
+          double result[3];
+          for (int i = 0; i < 3; ++i)
+            {
+              const int    j     = (i + 1) % 3;
+              const double t     = on_segment(i, j);
+              const Vec<3> delta = x - (corner[i] * (1 - t) + corner[j] * t);
+              if (dot(delta, delta) < best)
+                {
+                  best              = dot(delta, delta);
+                  result[i]         = 1 - t;
+                  result[j]         = t;
+                  result[3 - i - j] = 0;
+                }
+            }
+          std::copy_n(result, 3, weights);
+        }
+    }
+  } // namespace
+
+
+  template <int dim>
+  AdoptedSurface<dim>::AdoptedSurface(const WetSurface<dim> &partner)
+    : surface_(partner)
+    , pieces_of_node_(partner.position.size())
+  {
+    for (const auto &facet : partner.facets)
+      if constexpr (dim == 2)
+        pieces_.push_back(facet);
+      else
+        {
+          pieces_.push_back({facet[0], facet[1], facet[2]});
+          pieces_.push_back({facet[0], facet[2], facet[3]});
+        }
+    for (unsigned int f = 0; f < pieces_.size(); ++f)
+      for (const unsigned int i : pieces_[f])
+        pieces_of_node_[i].push_back(f);
+    update_normals();
+  }
+
+
+  template <int dim>
+  void AdoptedSurface<dim>::update_normals()
+  {
+    normals_.resize(pieces_.size());
+    centers_.resize(pieces_.size());
+    radii_.resize(pieces_.size());
+    for (std::size_t f = 0; f < pieces_.size(); ++f)
+      {
+        const auto &x = surface_.position;
+        Vec<dim>    normal, center;
+        if constexpr (dim == 2)
+          {
+            const Vec<2> e = x[pieces_[f][1]] - x[pieces_[f][0]];
+            normal         = {{e[1], -e[0]}};
+          }
+        else
+          normal = cross(x[pieces_[f][1]] - x[pieces_[f][0]], x[pieces_[f][2]] - x[pieces_[f][0]]);
+        for (const unsigned int i : pieces_[f])
+          center += x[i] * (1. / dim);
+        normals_[f] = normal * (1. / norm(normal));
+        centers_[f] = center;
+        radii_[f]   = 0;
+        for (const unsigned int i : pieces_[f])
+          radii_[f] = std::max(radii_[f], norm(x[i] - center));
+      }
+  }
+
+
+  template <int dim>
+  bool AdoptedSurface<dim>::accepts(const Cell &cell, const FluidNodes<dim> &nodes) const
+  {
+    // A bent surface is not flat between its nodes: allow them to see each other past a small angle.
+    constexpr double sine_between_interface_nodes = 0.25;
+    constexpr double sine_to_fluid_nodes          = 0.1;
+    for (const unsigned int i : cell)
+      if (i < nodes.n_interface)
+        for (const unsigned int j : cell)
+          if (j != i)
+            {
+              const Vec<dim> d = nodes.position(j) - nodes.position(i);
+              const double   allowed =
+                -(j < nodes.n_interface ? sine_between_interface_nodes : sine_to_fluid_nodes) * norm(d);
+              if (std::none_of(pieces_of_node_[i].begin(), pieces_of_node_[i].end(),
+                               [&](const unsigned int f) { return dot(normals_[f], d) >= allowed; }))
+                return false;
+            }
+    return true;
+  }
+
+
+  template <int dim>
+  bool AdoptedSurface<dim>::nearest(const Vec<dim> &x, const double largest_distance, Foot &foot) const
+  {
+    double   best  = largest_distance;
+    bool     found = false;
+    Vec<dim> normal_sum;
+    for (std::size_t f = 0; f < pieces_.size(); ++f)
+      {
+        const Vec<dim> to_center = x - centers_[f];
+        const double   reach     = best * (1 + 1e-9) + radii_[f];
+        if (dot(to_center, to_center) > reach * reach)
+          continue;
+        Vec<dim> corner[dim], place;
+        double   weights[dim];
+        for (int k = 0; k < dim; ++k)
+          corner[k] = surface_.position[pieces_[f][k]];
+        nearest_weights<dim>(corner, x, weights);
+        for (int k = 0; k < dim; ++k)
+          place += corner[k] * weights[k];
+        const double distance = norm(x - place);
+        if (distance > best * (1 + 1e-9))
+          continue;
+        // At an edge or corner several pieces are equally near: their mean normal tells the side.
+        if (found && distance > best * (1 - 1e-9))
+          normal_sum += normals_[f];
+        else
+          normal_sum = normals_[f];
+        found         = true;
+        best          = std::min(best, distance);
+        foot.place    = place;
+        foot.distance = distance;
+        for (int k = 0; k < dim; ++k)
+          {
+            foot.nodes[k]   = pieces_[f][k];
+            foot.weights[k] = weights[k];
+          }
+      }
+    if (!found || !(norm(normal_sum) > 0))
+      return false;
+    foot.normal = normal_sum * (1. / norm(normal_sum));
+    if (dot(foot.normal, x - foot.place) < 0)
+      foot.distance = -foot.distance;
+    return true;
+  }
+
+
+  template <int dim>
+  double AdoptedSurface<dim>::signed_distance(const Vec<dim> &x, const double largest_distance) const
+  {
+    Foot foot;
+    return nearest(x, largest_distance, foot) ? foot.distance : largest_distance;
+  }
+
+
+  template <int dim>
+  unsigned int AdoptedSurface<dim>::push_out(FluidNodes<dim> &nodes, const double largest_depth,
+                                             std::vector<Vec<dim>> &impulse) const
+  {
+    if (empty())
+      return 0;
+    Vec<dim> lower = surface_.position[0], upper = surface_.position[0];
+    for (const Vec<dim> &x : surface_.position)
+      for (int d = 0; d < dim; ++d)
+        {
+          lower[d] = std::min(lower[d], x[d]);
+          upper[d] = std::max(upper[d], x[d]);
+        }
+
+    unsigned int n_pushed = 0;
+    for (std::size_t i = nodes.n_interface; i < nodes.n; ++i)
+      {
+        const Vec<dim> x      = nodes.position(i);
+        bool           inside = true;
+        for (int d = 0; d < dim; ++d)
+          inside = inside && x[d] >= lower[d] && x[d] <= upper[d];
+        Foot foot;
+        if (!inside || !nearest(x, largest_depth, foot) || !(foot.distance < 0))
+          continue;
+        ++n_pushed;
+        Vec<dim> relative = nodes.velocity(i);
+        for (int k = 0; k < dim; ++k)
+          relative -= surface_.velocity[foot.nodes[k]] * foot.weights[k];
+        const double inward = std::min(0., dot(relative, foot.normal));
+        for (int d = 0; d < dim; ++d)
+          {
+            nodes.xp[i][d] = foot.place[d];
+            nodes.v[i][d] -= inward * foot.normal[d];
+          }
+        for (int k = 0; k < dim; ++k)
+          impulse[foot.nodes[k]] += foot.normal * (nodes.mass[i] * inward * foot.weights[k]);
+      }
+    return n_pushed;
+  }
+
+  template class AdoptedSurface<2>;
+  template class AdoptedSurface<3>;
+} // namespace Breakwater

@@ -1,0 +1,339 @@
+#include "volume_conservation.h"
+
+#include "kernels.h"
+
+#include <breakwater/mesh/quality.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace Breakwater
+{
+  namespace
+  {
+    template <int dim>
+    Simplex<dim> corners(const FluidNodes<dim> &nodes, const typename SimplexMesh<dim>::Cell &cell)
+    {
+      Simplex<dim> x;
+      for (int a = 0; a <= dim; ++a)
+        x[a] = nodes.position(cell[a]);
+      return x;
+    }
+
+    double power(const double h, const int dim)
+    {
+      return dim == 2 ? h * h : h * h * h;
+    }
+
+    /// Sweeps of a diffusion of the extensive quantity q over the cells: each corner gives
+    /// |V_c| / (2 (dim + 1)) times the difference of q / V to the cell's mean. The sum of q is kept.
+    template <int dim>
+    void smooth_extensive(const std::vector<typename SimplexMesh<dim>::Cell> &cells,
+                          const std::vector<double> &cell_volume, const std::vector<double> &node_volume,
+                          const unsigned int n_sweeps, std::vector<double> &q)
+    {
+      std::vector<double> change(q.size());
+      for (unsigned int sweep = 0; sweep < n_sweeps; ++sweep)
+        {
+          std::fill(change.begin(), change.end(), 0.);
+          for (std::size_t c = 0; c < cells.size(); ++c)
+            {
+              double density[dim + 1], mean = 0;
+              for (int a = 0; a <= dim; ++a)
+                mean += density[a] = q[cells[c][a]] / node_volume[cells[c][a]];
+              mean /= dim + 1;
+              const double factor = cell_volume[c] / (2 * (dim + 1));
+              for (int a = 0; a <= dim; ++a)
+                change[cells[c][a]] -= factor * (density[a] - mean);
+            }
+          for (std::size_t i = 0; i < q.size(); ++i)
+            q[i] += change[i];
+        }
+    }
+
+    /// The operator of the correction, with what it needs in between.
+    template <int dim>
+    class CorrectionOperator
+    {
+    public:
+      CorrectionOperator(const FluidNodes<dim> &nodes, const std::vector<typename SimplexMesh<dim>::Cell> &cells,
+                         const Walls<dim> &walls, const double reference_density, const double spacing)
+        : nodes_(nodes)
+        , cells_(cells)
+        , walls_(walls)
+        , is_free_(nodes.n)
+        , mobility_(nodes.n)
+        , area_(cells.size())
+      {
+        const double regular_mass = reference_density * power(spacing, dim);
+        for (std::size_t i = 0; i < nodes.n; ++i)
+          {
+            is_free_[i]  = nodes.has_cells[i] && !nodes.is_surface[i];
+            mobility_[i] = i < nodes.n_interface ? 0. : regular_mass / std::max(nodes.mass[i], 0.3 * regular_mass);
+          }
+        for (std::size_t c = 0; c < cells.size(); ++c)
+          area_[c] = area_vectors(corners<dim>(nodes, cells[c]));
+      }
+
+      /// phi counts only where this is true: nodes inside and on the wetted interface.
+      bool is_free(const std::size_t i) const { return is_free_[i]; }
+
+      /// u = W D^T phi
+      void displacement(const std::vector<double> &phi, std::vector<Quad> &u) const
+      {
+        std::fill(u.begin(), u.end(), Quad());
+        for (std::size_t c = 0; c < cells_.size(); ++c)
+          {
+            double mean = 0;
+            for (int a = 0; a <= dim; ++a)
+              mean += phi[cells_[c][a]];
+            mean /= dim + 1;
+            for (int a = 0; a <= dim; ++a)
+              for (int d = 0; d < dim; ++d)
+                u[cells_[c][a]][d] += mean * area_[c][a][d];
+          }
+        for (std::size_t i = 0; i < u.size(); ++i)
+          {
+            for (int d = 0; d < dim; ++d)
+              u[i][d] *= mobility_[i];
+            if (nodes_.contacts[i] != 0)
+              walls_.mask(u[i].c, nodes_.contacts[i]);
+          }
+      }
+
+      /// D u, at the free nodes
+      void volume_change(const std::vector<Quad> &u, std::vector<double> &result) const
+      {
+        std::fill(result.begin(), result.end(), 0.);
+        for (std::size_t c = 0; c < cells_.size(); ++c)
+          {
+            double change = 0;
+            for (int a = 0; a <= dim; ++a)
+              for (int d = 0; d < dim; ++d)
+                change += area_[c][a][d] * u[cells_[c][a]][d];
+            for (int a = 0; a <= dim; ++a)
+              result[cells_[c][a]] += change / (dim + 1);
+          }
+        for (std::size_t i = 0; i < result.size(); ++i)
+          if (!is_free_[i])
+            result[i] = 0;
+      }
+
+    private:
+      const FluidNodes<dim>                              &nodes_;
+      const std::vector<typename SimplexMesh<dim>::Cell> &cells_;
+      const Walls<dim>                                   &walls_;
+      std::vector<char>                                   is_free_;
+      std::vector<double>                                 mobility_;
+      std::vector<Simplex<dim>>                           area_;
+    };
+
+    double dot(const std::vector<double> &a, const std::vector<double> &b)
+    {
+      double sum = 0;
+      for (std::size_t i = 0; i < a.size(); ++i)
+        sum += a[i] * b[i];
+      return sum;
+    }
+  } // namespace
+
+
+  template <int dim>
+  std::vector<Quad> volume_correction(const FluidNodes<dim> &nodes,
+                                      const std::vector<typename SimplexMesh<dim>::Cell> &cells,
+                                      const Walls<dim> &walls, const double reference_density, const double spacing,
+                                      const double weight, const unsigned int n_iterations)
+  {
+    const double        regular_volume = power(spacing, dim);
+    std::vector<double> missing(nodes.n, 0.);
+    double              square_missing = 0, square_volume = 0;
+    for (std::size_t i = nodes.n_interface; i < nodes.n; ++i)
+      if (nodes.has_cells[i] && !nodes.is_surface[i])
+        {
+          const double wanted = nodes.mass[i] / std::max(nodes.density[i], reference_density);
+          double       r      = std::clamp(wanted - nodes.volume[i], -0.3 * regular_volume, 0.3 * regular_volume);
+          if (r < 0 && nodes.density[i] < reference_density)
+            r = 0;
+          missing[i] = r;
+          square_missing += r * r;
+          square_volume += nodes.volume[i] * nodes.volume[i];
+        }
+    if (n_iterations == 0 || !(square_missing > 1e-4 * square_volume))
+      return {};
+
+    {
+      // Over the interior cells only, so that the surface takes nothing.
+      std::vector<typename SimplexMesh<dim>::Cell> interior;
+      std::vector<double>                          cell_volume;
+      for (const auto &cell : cells)
+        if (std::all_of(cell.begin(), cell.end(),
+                        [&](const unsigned int i) { return i >= nodes.n_interface && !nodes.is_surface[i]; }))
+          {
+            interior.push_back(cell);
+            cell_volume.push_back(std::abs(signed_volume(corners<dim>(nodes, cell))));
+          }
+      std::vector<double> node_volume(nodes.n);
+      for (std::size_t i = 0; i < nodes.n; ++i)
+        node_volume[i] = std::max(nodes.volume[i], 0.1 * regular_volume);
+      smooth_extensive<dim>(interior, cell_volume, node_volume, 3, missing);
+    }
+
+    const CorrectionOperator<dim> correction(nodes, cells, walls, reference_density, spacing);
+    std::vector<double>           residual(nodes.n), phi(nodes.n, 0.), direction, image(nodes.n);
+    std::vector<Quad>             u(nodes.n);
+    for (std::size_t i = 0; i < nodes.n; ++i)
+      residual[i] = correction.is_free(i) ? weight * missing[i] : 0.;
+    direction   = residual;
+    double norm = dot(residual, residual);
+    for (unsigned int k = 0; k < n_iterations && norm > 0; ++k)
+      {
+        correction.displacement(direction, u);
+        correction.volume_change(u, image);
+        const double curvature = dot(direction, image);
+        if (!(curvature > 0))
+          break;
+        const double step = norm / curvature;
+        for (std::size_t i = 0; i < nodes.n; ++i)
+          {
+            phi[i] += step * direction[i];
+            residual[i] -= step * image[i];
+          }
+        const double new_norm = dot(residual, residual);
+        for (std::size_t i = 0; i < nodes.n; ++i)
+          direction[i] = residual[i] + new_norm / norm * direction[i];
+        norm = new_norm;
+      }
+    correction.displacement(phi, u);
+
+    const double largest = 0.1 * spacing;
+    for (Quad &shift : u)
+      {
+        double length = 0;
+        for (int d = 0; d < dim; ++d)
+          length += shift[d] * shift[d];
+        length = std::sqrt(length);
+        if (length > largest)
+          for (int d = 0; d < dim; ++d)
+            shift[d] *= largest / length;
+      }
+    return u;
+  }
+
+
+  template <int dim>
+  void exchange_mass(FluidNodes<dim> &nodes, const std::vector<typename SimplexMesh<dim>::Cell> &cells,
+                     const double reference_density, const double spacing, const unsigned int n_sweeps)
+  {
+    const double        regular_volume = power(spacing, dim);
+    const double        least_mass     = 0.05 * reference_density * regular_volume;
+    const std::size_t   n_interface    = nodes.n_interface;
+    std::vector<double> cell_weight(cells.size()), excess_density(nodes.n), given(nodes.n);
+    std::vector<Quad>   received(nodes.n); // momentum, and mass in the fourth component
+    for (std::size_t c = 0; c < cells.size(); ++c)
+      cell_weight[c] = std::abs(signed_volume(corners<dim>(nodes, cells[c]))) / (2 * (dim + 1));
+
+    // What each corner of a cell would get: minus the deviation of its excess from the cell's mean.
+    const auto exchanged = [&](const std::size_t c, double *z) {
+      const auto  &cell = cells[c];
+      double       mean = 0;
+      unsigned int n    = 0;
+      for (int a = 0; a <= dim; ++a)
+        if (cell[a] >= n_interface)
+          {
+            mean += excess_density[cell[a]];
+            ++n;
+          }
+      mean /= std::max(n, 1u);
+      for (int a = 0; a <= dim; ++a)
+        z[a] = cell[a] >= n_interface ? -cell_weight[c] * (excess_density[cell[a]] - mean) : 0.;
+    };
+
+    for (unsigned int sweep = 0; sweep < n_sweeps; ++sweep)
+      {
+        for (std::size_t i = 0; i < nodes.n; ++i)
+          excess_density[i] = (nodes.mass[i] - nodes.density[i] * nodes.volume[i]) /
+                              std::max(nodes.volume[i], 0.1 * regular_volume);
+        std::fill(given.begin(), given.end(), 0.);
+        std::fill(received.begin(), received.end(), Quad());
+        double z[dim + 1];
+        for (std::size_t c = 0; c < cells.size(); ++c)
+          {
+            exchanged(c, z);
+            for (int a = 0; a <= dim; ++a)
+              given[cells[c][a]] += std::max(0., -z[a]);
+          }
+        // From here on: the part of what it would give that a node may give.
+        for (std::size_t i = 0; i < nodes.n; ++i)
+          {
+            const double allowed = std::max(0., 0.5 * (nodes.mass[i] - least_mass));
+            given[i]             = given[i] > allowed ? allowed / given[i] : 1.;
+          }
+        for (std::size_t c = 0; c < cells.size(); ++c)
+          {
+            exchanged(c, z);
+            const auto &cell     = cells[c];
+            double      donated  = 0;
+            double      part     = 1;
+            Quad        momentum;
+            for (int a = 0; a <= dim; ++a)
+              if (z[a] < 0)
+                {
+                  part = std::min(part, given[cell[a]]);
+                  donated -= z[a];
+                  for (int d = 0; d < dim; ++d)
+                    momentum[d] -= z[a] * nodes.v[cell[a]][d];
+                }
+            if (!(donated > 0) || !(part > 0))
+              continue;
+            for (int a = 0; a <= dim; ++a)
+              {
+                const double mass = part * z[a];
+                Quad        &r    = received[cell[a]];
+                if (z[a] < 0)
+                  {
+                    // A donor keeps its velocity: what it gives leaves with that velocity.
+                    for (int d = 0; d < dim; ++d)
+                      r[d] += mass * nodes.v[cell[a]][d];
+                  }
+                else
+                  for (int d = 0; d < dim; ++d)
+                    r[d] += mass * momentum[d] / donated;
+                r[3] += mass;
+              }
+          }
+        for (std::size_t i = n_interface; i < nodes.n; ++i)
+          if (nodes.has_cells[i])
+            {
+              const double new_mass = nodes.mass[i] + received[i][3];
+              for (int d = 0; d < dim; ++d)
+                nodes.v[i][d] = (nodes.mass[i] * nodes.v[i][d] + received[i][d]) / new_mass;
+              nodes.mass[i] = new_mass;
+            }
+      }
+  }
+
+
+  template <int dim>
+  double interior_volume_deficit(const FluidNodes<dim> &nodes)
+  {
+    double volume = 0, wanted = 0;
+    for (std::size_t i = nodes.n_interface; i < nodes.n; ++i)
+      if (nodes.has_cells[i] && !nodes.is_surface[i])
+        {
+          volume += nodes.volume[i];
+          wanted += nodes.mass[i] / nodes.density[i];
+        }
+    return wanted > 0 ? 1. - volume / wanted : 0.;
+  }
+
+
+#define BREAKWATER_INSTANTIATE(dim)                                                                                    \
+  template std::vector<Quad> volume_correction<dim>(const FluidNodes<dim> &,                                           \
+                                                    const std::vector<SimplexMesh<dim>::Cell> &, const Walls<dim> &,   \
+                                                    double, double, double, unsigned int);                             \
+  template void   exchange_mass<dim>(FluidNodes<dim> &, const std::vector<SimplexMesh<dim>::Cell> &, double, double,   \
+                                   unsigned int);                                                                      \
+  template double interior_volume_deficit<dim>(const FluidNodes<dim> &);
+  BREAKWATER_INSTANTIATE(2)
+  BREAKWATER_INSTANTIATE(3)
+} // namespace Breakwater

@@ -1,0 +1,29 @@
+#include "insphere.h"
+
+#include <breakwater/mesh/quality.h>
+
+#include <algorithm>
+
+namespace Breakwater
+{
+  template <int dim>
+  double InsphereBound<dim>::bound(const LinearizedFluid<dim> &fluid)
+  {
+    double bound = std::numeric_limits<double>::infinity();
+    for (const auto &cell : fluid.mesh.cells)
+      {
+        Simplex<dim> x;
+        double       sound_speed = 0;
+        for (int a = 0; a <= dim; ++a)
+          {
+            x[a]        = fluid.position[cell[a]];
+            sound_speed = std::max(sound_speed, fluid.sound_speed[cell[a]]);
+          }
+        bound = std::min(bound, std::abs(insphere_radius(x)) / sound_speed);
+      }
+    return bound;
+  }
+
+  template class InsphereBound<2>;
+  template class InsphereBound<3>;
+} // namespace Breakwater
