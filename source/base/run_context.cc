@@ -1,3 +1,4 @@
+#include <breakwater/base/binary_stream.h>
 #include <breakwater/base/exceptions.h>
 #include <breakwater/base/run_context.h>
 
@@ -88,6 +89,36 @@ namespace Breakwater
     const auto inserted = summary_.emplace(name, value);
     if (!inserted.second)
       inserted.first->second = std::max(inserted.first->second, value);
+  }
+
+  void RunContext::save(std::ostream &stream) const
+  {
+    write_binary(stream, cell_steps);
+    write_binary(stream, steps);
+    write_binary(stream, n_remeshes);
+    write_binary(stream, cpu_seconds_);
+    write_binary(stream, static_cast<std::uint64_t>(summary_.size()));
+    for (const auto &[name, value] : summary_)
+      {
+        write_binary(stream, name);
+        write_binary(stream, value);
+      }
+  }
+
+  void RunContext::load(std::istream &stream)
+  {
+    read_binary(stream, cell_steps);
+    read_binary(stream, steps);
+    read_binary(stream, n_remeshes);
+    read_binary(stream, cpu_seconds_);
+    std::uint64_t n_numbers = 0;
+    read_binary(stream, n_numbers);
+    for (std::uint64_t i = 0; i < n_numbers; ++i)
+      {
+        std::string name;
+        read_binary(stream, name);
+        read_binary(stream, summary_[name]);
+      }
   }
 
   double cpu_time()

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <iosfwd>
 #include <map>
 #include <memory>
 #include <string>
@@ -69,6 +70,11 @@ namespace Breakwater
     const std::vector<std::string>      &effects_skipped() const { return effects_skipped_; }
 
     double cpu_seconds(Phase phase) const { return cpu_seconds_[static_cast<unsigned int>(phase)]; }
+
+    /// Writes and reads the counters, CPU times and numbers for the summary, for a run that is resumed.
+    /// @pre no PhaseTimer runs at load()
+    void save(std::ostream &stream) const;
+    void load(std::istream &stream);
 
     /// What limits the step at present, for the progress line: "fluid (spectral)".
     std::string step_limited_by;

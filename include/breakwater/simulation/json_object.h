@@ -1,0 +1,28 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace Breakwater
+{
+  /// A JSON object that is written member by member, in their order. A number that is not finite becomes null.
+  class JsonObject
+  {
+  public:
+    void add(const std::string &name, double value);
+    void add(const std::string &name, unsigned long value);
+    void add(const std::string &name, const std::string &value);
+    void add(const std::string &name, const std::vector<std::string> &values);
+    void add(const std::string &name, const std::vector<std::pair<std::string, double>> &members);
+    void add(const std::string &name, const std::vector<std::pair<std::string, std::string>> &members);
+
+    /// The whole object, with a line break at its end.
+    std::string text() const;
+
+  private:
+    void add_member(const std::string &name, const std::string &json);
+
+    std::string members_;
+  };
+} // namespace Breakwater

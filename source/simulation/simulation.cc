@@ -1,0 +1,314 @@
+#include <breakwater/base/exceptions.h>
+#include <breakwater/base/nearest_name.h>
+#include <breakwater/simulation/simulation.h>
+#include <breakwater/structure/structure.h>
+
+#include <algorithm>
+#include <cmath>
+#include <unistd.h>
+
+namespace Breakwater
+{
+  volatile std::sig_atomic_t stop_is_requested = 0;
+
+  void SceneHeader::declare_parameters(ParameterReader &reader)
+  {
+    reader.add("Title", title, "One line about the scene, for the report.");
+    reader.add("Dimension", dimension, "Space dimensions: 2 (plane flow, plane strain) or 3.", 2, 3);
+    reader.add("End time", end_time, "Simulated time at which the run ends [s].", Range::positive());
+    reader.add("Plugin libraries", plugin_libraries,
+               "Libraries whose plugins this scene chooses, by bare name. Nothing else is loaded.");
+  }
+
+  template <int dim>
+  Simulation<dim>::Simulation()
+    : body_forces_("Models", "", "Accelerations that act on all masses: fluid and structures.")
+    , fluid_("Model", "", "The fluid's solver; empty: no fluid.", 1)
+    , coupler_("Model", "", "How fluid and structure are tied; empty: there is only one of them.", 1)
+    , postprocessors_("Models", "", "What adds columns to history.csv.")
+  {}
+
+  template <int dim>
+  Simulation<dim>::~Simulation() = default;
+
+  template <int dim>
+  void Simulation<dim>::declare_parameters(ParameterReader &reader)
+  {
+    header_.declare_parameters(reader);
+    const auto declare = [&reader](const std::string &section, auto &plugins) {
+      SectionScope scope(reader, section);
+      plugins.declare_parameters(reader);
+    };
+    declare("Body forces", body_forces_);
+    declare("Fluid", fluid_);
+    declare_structures(reader);
+    declare("Coupling", coupler_);
+    declare("Postprocessors", postprocessors_);
+    declare_output(reader);
+  }
+
+  template <int dim>
+  void Simulation<dim>::declare_structures(ParameterReader &reader)
+  {
+    SectionScope             scope(reader, "Structures");
+    std::vector<std::string> titles = reader.section_titles();
+    if (reader.is_reference())
+      titles = {"A name of your choice"};
+    for (const std::string &title : titles)
+      {
+        const auto known = [&title](const Structure &structure) { return structure.name == title; };
+        if (std::none_of(structures_.begin(), structures_.end(), known))
+          {
+            structures_.push_back({title, make_structure<dim>()});
+            reader.note_new_plugin();
+          }
+      }
+    for (const Structure &structure : structures_)
+      {
+        SectionScope inner_scope(reader, structure.name);
+        structure.domain->declare_parameters(reader);
+      }
+  }
+
+  template <int dim>
+  void Simulation<dim>::declare_output(ParameterReader &reader)
+  {
+    SectionScope scope(reader, "Output");
+    reader.add("Directory", directory_,
+               "Where results go; empty: \"output-\" and the parameter file's name, in the current folder.");
+    reader.add("Fields every", fields_every_,
+               "Simulated time between two outputs of meshes and fields (solution.pvd) [s]; 0: at start and end only.",
+               Range::not_negative());
+    reader.add("History every", history_every_,
+               "Simulated time between two rows of history.csv [s]; 0: a row at every step.", Range::not_negative());
+    reader.add("Probes", probes_text_,
+               "Points of a structure whose displacements go to history.csv: NAME: STRUCTURE(x, y, z), several of "
+               "them separated by semicolons. The point [m] must lie at a node of the undeformed structure, within "
+               "a tenth of the mesh size.");
+    reader.add("Checkpoints every", checkpoints_every_,
+               "Simulated time between two checkpoints [s]; 0: none by simulated time.", Range::not_negative());
+    reader.add("Checkpoints every wall time", checkpoints_every_wall_,
+               "Wall time between two checkpoints [s]; 0: none by wall time.", Range::not_negative());
+  }
+
+  template <int dim>
+  void Simulation<dim>::check_parameters(ParameterReader &reader)
+  {
+    check_bodies(reader);
+    const auto check = [&reader](const std::string &section, auto &plugins) {
+      SectionScope scope(reader, section);
+      plugins.check_parameters(reader);
+    };
+    check("Body forces", body_forces_);
+    check("Fluid", fluid_);
+    {
+      SectionScope scope(reader, "Structures");
+      for (const Structure &structure : structures_)
+        {
+          SectionScope inner_scope(reader, structure.name);
+          structure.domain->check_parameters(reader);
+        }
+    }
+    check("Coupling", coupler_);
+    check("Postprocessors", postprocessors_);
+
+    SectionScope scope(reader, "Output");
+    std::vector<std::string> names;
+    for (const Structure &structure : structures_)
+      names.push_back(structure.name);
+    try
+      {
+        for (const ProbePlace &place : parse_probes(probes_text_))
+          if (std::find(names.begin(), names.end(), place.domain) == names.end())
+            throw InputError("no structure is called \"" + place.domain + "\"" + suggestion(place.domain, names));
+      }
+    catch (const InputError &error)
+      {
+        reader.fail("Probes", error.what());
+      }
+  }
+
+  template <int dim>
+  void Simulation<dim>::check_bodies(ParameterReader &reader) const
+  {
+    if (fluid_.empty() && structures_.empty())
+      reader.fail("", "there is nothing to simulate; name a fluid (Fluid/Model) or a structure (Structures)");
+    if (structures_.size() > 1)
+      {
+        SectionScope scope(reader, "Structures");
+        reader.fail("", "a scene has one structure so far, not " + std::to_string(structures_.size()));
+      }
+    const bool   has_both = !fluid_.empty() && !structures_.empty();
+    SectionScope scope(reader, "Coupling");
+    if (has_both && coupler_.empty())
+      reader.fail("Model", "a fluid and a structure need a coupler" +
+                             suggestion("", reader.registry().names(Coupler<dim>::interface_name, dim)));
+    if (!has_both && !coupler_.empty())
+      reader.fail("Model", std::string("there is no ") + (fluid_.empty() ? "fluid" : "structure") +
+                             " to couple; leave this entry out");
+  }
+
+  template <int dim>
+  void Simulation<dim>::set_up()
+  {
+    const BodyForces<dim> &body_forces = body_forces_.plugins();
+    ExplicitDomain<dim>   *fluid       = fluid_.empty() ? nullptr : &fluid_.front();
+    ExplicitDomain<dim>   *structure   = structures_.empty() ? nullptr : structures_.front().domain.get();
+
+    if (structure != nullptr)
+      structure->setup(structures_.front().name, body_forces, *context_);
+    if (fluid != nullptr)
+      {
+        if (structure != nullptr && fluid->can_adopt_surface())
+          fluid->adopt_surface(structure->wet_surface());
+        fluid->setup("Fluid", body_forces, *context_);
+        domains_.push_back({"Fluid", fluid});
+      }
+    if (structure != nullptr)
+      domains_.push_back({structures_.front().name, structure});
+    if (!coupler_.empty())
+      coupler_.front().setup(*fluid, *structure, *context_);
+
+    std::vector<std::pair<std::string, const ExplicitDomain<dim> *>> seen;
+    for (const NamedDomain &domain : domains_)
+      seen.emplace_back(domain.name, domain.domain);
+    for (const auto &postprocessor : postprocessors_.plugins())
+      postprocessor->setup(seen);
+    for (const ProbePlace &place : parse_probes(probes_text_))
+      {
+        const auto same = [&place](const NamedDomain &domain) { return domain.name == place.domain; };
+        probes_.emplace_back(place, *std::find_if(domains_.begin(), domains_.end(), same)->domain);
+      }
+    note_effects();
+  }
+
+  template <int dim>
+  void Simulation<dim>::note_effects()
+  {
+    const auto note = [this](const std::string &effect, const bool active) {
+      context_->note_effect(effect, active, active ? "" : "the scene names none");
+    };
+    note("body forces", !body_forces_.empty());
+    note("fluid", !fluid_.empty());
+    note("structure", !structures_.empty());
+    note("coupling", !coupler_.empty());
+    note("postprocessors", !postprocessors_.empty());
+  }
+
+  template <int dim>
+  void Simulation<dim>::validate()
+  {
+    namespace fs             = std::filesystem;
+    const fs::path directory = fs::temp_directory_path() / ("breakwater-validate-" + std::to_string(getpid()));
+    fs::create_directories(directory);
+    struct Remover
+    {
+      const fs::path &directory;
+      ~Remover() { fs::remove_all(directory); }
+    } remover{directory};
+    context_ = std::make_unique<RunContext>(directory);
+    set_up();
+    context_.reset();
+  }
+
+  template <int dim>
+  bool Simulation<dim>::run(const Options &options, const std::string &parameters)
+  {
+    start_output(options, parameters);
+    try
+      {
+        set_up_or_resume(options);
+        advance_to_end();
+      }
+    catch (const BreakdownError &error)
+      {
+        progress_.reset();
+        write_summary(options, "breakdown", error.what());
+        throw;
+      }
+    const bool is_finished = time_ >= header_.end_time;
+    write_summary(options, is_finished ? "finished" : "interrupted", "");
+    return is_finished;
+  }
+
+  template <int dim>
+  void Simulation<dim>::advance_to_end()
+  {
+    progress_ = std::make_unique<Progress>(time_, header_.end_time, context_->cell_steps);
+    while (time_ < header_.end_time && !stop_is_requested)
+      {
+        advance();
+        write_due_output(false);
+        write_due_checkpoint(false);
+        progress_->update(time_, time_step_, *context_);
+      }
+    write_due_output(true);
+    write_due_checkpoint(true);
+    earlier_wall_seconds_ = wall_seconds();
+    progress_.reset();
+  }
+
+  template <int dim>
+  void Simulation<dim>::advance()
+  {
+    // The time to the next output is split evenly: no tiny step is left over.
+    const double        event   = next_event();
+    const double        rest    = event - time_;
+    const double        natural = natural_step_ > 0 ? natural_step_ : coarse_stable_step();
+    const double        n_steps = std::max(1., std::ceil(rest / natural * (1 - 1e-9)));
+    const double        longest = rest / n_steps;
+    const unsigned long steps   = context_->steps;
+    if (coupler_.empty())
+      {
+        ExplicitDomain<dim> &domain = *domains_.front().domain;
+        domain.advance_free(longest);
+        domain.end_step();
+        time_step_ = longest;
+        if (context_->steps == steps)
+          ++context_->steps;
+      }
+    else
+      {
+        // The coupler may take less than both domains allow: what it took tells the next even split.
+        time_step_    = coupler_.front().advance(longest);
+        natural_step_ = time_step_ < longest * (1 - 1e-9) ? time_step_ :
+                                                            std::min(coarse_stable_step(), 1.02 * natural);
+        if (context_->steps == steps)
+          context_->steps += coupler_.front().balance().n_substeps;
+      }
+    const double new_time = time_ + time_step_;
+    time_                 = event - new_time <= 1e-9 * time_step_ ? event : new_time;
+  }
+
+  template <int dim>
+  double Simulation<dim>::coarse_stable_step() const
+  {
+    double longest = 0;
+    for (const NamedDomain &domain : domains_)
+      longest = std::max(longest, domain.domain->stable_time_step());
+    if (!(longest > 0))
+      throw BreakdownError("no time step is stable at t = " + std::to_string(time_) + " s: the bound is " +
+                           std::to_string(longest) + " s");
+    return longest;
+  }
+
+  template <int dim>
+  double Simulation<dim>::next_event() const
+  {
+    double event = header_.end_time;
+    if (fields_every_ > 0)
+      event = std::min(event, static_cast<double>(n_fields_) * fields_every_);
+    if (history_every_ > 0)
+      event = std::min(event, static_cast<double>(n_histories_) * history_every_);
+    return event;
+  }
+
+  template <int dim>
+  double Simulation<dim>::wall_seconds() const
+  {
+    return earlier_wall_seconds_ + (progress_ ? progress_->wall_seconds() : 0.);
+  }
+
+  template class Simulation<2>;
+  template class Simulation<3>;
+} // namespace Breakwater
