@@ -25,7 +25,10 @@ namespace
     breakdown = 2
   };
 
-  void request_stop(int) { stop_is_requested = 1; }
+  void request_stop(int)
+  {
+    stop_is_requested = 1;
+  }
 
   void load_libraries(const SceneHeader &header, const ParameterText &text, PluginLibraries &libraries,
                       PluginRegistry &registry)
@@ -67,8 +70,8 @@ namespace
                                                        command_line.output_directory, command_line.resume};
     std::signal(SIGINT, request_stop);
     std::signal(SIGTERM, request_stop);
-    const bool  is_finished = simulation.run(options, parameters.str());
-    const auto  directory   = simulation.output_directory(options).string();
+    const bool is_finished = simulation.run(options, parameters.str());
+    const auto directory   = simulation.output_directory(options).string();
     std::cout << "Results are in " << directory << std::endl;
     if (!is_finished)
       std::cerr << "interrupted; --resume goes on from the checkpoint in " << directory << "\n";

@@ -7,7 +7,9 @@ namespace Breakwater
 {
   std::string lower_case(std::string text)
   {
-    std::transform(text.begin(), text.end(), text.begin(), [](const unsigned char c) { return std::tolower(c); });
+    std::transform(text.begin(), text.end(), text.begin(), [](const unsigned char c) {
+      return std::tolower(c);
+    });
     return text;
   }
 

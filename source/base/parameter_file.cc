@@ -25,7 +25,10 @@ namespace Breakwater
     }
 
     /// Key by which sections and entries are compared.
-    std::string key_of(const Path &path) { return lower_case(joined(path)); }
+    std::string key_of(const Path &path)
+    {
+      return lower_case(joined(path));
+    }
     std::string key_of(Path path, const std::string &name)
     {
       path.push_back(name);
@@ -208,14 +211,17 @@ namespace Breakwater
         , text_(text)
         , defaults_(defaults)
         , is_reference_(is_reference)
-      {}
+      {
+      }
 
       using ParameterReader::add;
 
       void add(const std::string &name, double &member, const std::string &documentation, const Range range) override
       {
         declare(name, number_text(member), documentation, dealii::Patterns::Double(range.lower, range.upper),
-                range_text(range), [&member](const std::string &value) { member = std::stod(value); });
+                range_text(range), [&member](const std::string &value) {
+                  member = std::stod(value);
+                });
       }
 
       void add(const std::string &name, unsigned int &member, const std::string &documentation,
@@ -225,19 +231,25 @@ namespace Breakwater
         if (upper != static_cast<unsigned int>(std::numeric_limits<int>::max()))
           allowed += " and <= " + std::to_string(upper);
         declare(name, std::to_string(member), documentation, dealii::Patterns::Integer(lower, upper), allowed,
-                [&member](const std::string &value) { member = static_cast<unsigned int>(std::stoul(value)); });
+                [&member](const std::string &value) {
+                  member = static_cast<unsigned int>(std::stoul(value));
+                });
       }
 
       void add(const std::string &name, bool &member, const std::string &documentation) override
       {
         declare(name, member ? "true" : "false", documentation, dealii::Patterns::Bool(), "true or false",
-                [&member](const std::string &value) { member = value == "true" || value == "yes"; });
+                [&member](const std::string &value) {
+                  member = value == "true" || value == "yes";
+                });
       }
 
       void add(const std::string &name, std::string &member, const std::string &documentation) override
       {
         declare(name, member, documentation, dealii::Patterns::Anything(), "any text",
-                [&member](const std::string &value) { member = value; });
+                [&member](const std::string &value) {
+                  member = value;
+                });
       }
 
       void add(const std::string &name, std::string &member, const std::string &documentation,
@@ -246,25 +258,32 @@ namespace Breakwater
         std::string selection;
         for (const std::string &choice : choices)
           selection += (selection.empty() ? "" : "|") + choice;
-        declare(name, member, documentation, dealii::Patterns::Selection(selection), joined_list(choices),
-                [&member](const std::string &value) { member = value; }, choices);
+        declare(
+          name, member, documentation, dealii::Patterns::Selection(selection), joined_list(choices),
+          [&member](const std::string &value) {
+            member = value;
+          },
+          choices);
       }
 
       void add(const std::string &name, std::vector<std::string> &member, const std::string &documentation) override
       {
         declare(name, joined_list(member), documentation, dealii::Patterns::Anything(), "a list a, b, ...",
-                [&member](const std::string &value) { member = split_list(value); });
+                [&member](const std::string &value) {
+                  member = split_list(value);
+                });
       }
 
       void add(const std::string &name, std::vector<double> &member, const std::string &documentation,
                const unsigned int n_min, const unsigned int n_max) override
       {
-        const std::string count = n_min == n_max ? std::to_string(n_min) :
-                                                   std::to_string(n_min) + " to " + std::to_string(n_max);
+        const std::string count =
+          n_min == n_max ? std::to_string(n_min) : std::to_string(n_min) + " to " + std::to_string(n_max);
         declare(name, numbers_text(member.data(), member.size()), documentation,
                 dealii::Patterns::List(dealii::Patterns::Double(), n_min, n_max),
-                count + " numbers, separated by commas",
-                [&member](const std::string &value) { member = numbers_of(value); });
+                count + " numbers, separated by commas", [&member](const std::string &value) {
+                  member = numbers_of(value);
+                });
       }
 
       void enter_section(const std::string &name) override
@@ -303,10 +322,9 @@ namespace Breakwater
         if (const ParameterText::Entry *entry = text_.find(path_, name))
           throw InputError(entry->place + ": " + what + ", value \"" + entry->value + "\": " + message);
         const auto        default_value = defaults_.find(key_of(path_, name));
-        const std::string not_set =
-          default_value == defaults_.end() || default_value->second.empty() ?
-            " (not set)" :
-            " (not set; its default is \"" + default_value->second + "\")";
+        const std::string not_set       = default_value == defaults_.end() || default_value->second.empty() ?
+                                            " (not set)" :
+                                            " (not set; its default is \"" + default_value->second + "\")";
         throw InputError(text_.name + ": " + what + not_set + ": " + message);
       }
 
@@ -335,16 +353,15 @@ namespace Breakwater
 
       void print(std::ostream &stream) const
       {
-        handler_.print_parameters(stream, dealii::ParameterHandler::PRM |
-                                            dealii::ParameterHandler::KeepDeclarationOrder);
+        handler_.print_parameters(stream,
+                                  dealii::ParameterHandler::PRM | dealii::ParameterHandler::KeepDeclarationOrder);
       }
 
     protected:
       void add_fixed(const std::string &name, double *values, const unsigned int n,
                      const std::string &documentation) override
       {
-        declare(name, numbers_text(values, n), documentation,
-                dealii::Patterns::List(dealii::Patterns::Double(), n, n),
+        declare(name, numbers_text(values, n), documentation, dealii::Patterns::List(dealii::Patterns::Double(), n, n),
                 std::to_string(n) + " numbers, separated by commas", [values, n](const std::string &value) {
                   const std::vector<double> numbers = numbers_of(value);
                   std::copy_n(numbers.begin(), n, values);
@@ -371,8 +388,7 @@ namespace Breakwater
       /// Declares an entry of the current section and gives it the text's value, if it has one.
       void declare(const std::string &name, const std::string &value_now, const std::string &documentation,
                    const dealii::Patterns::PatternBase &pattern, const std::string &allowed,
-                   const std::function<void(const std::string &)> &assign,
-                   const std::vector<std::string>                 &choices = {})
+                   const std::function<void(const std::string &)> &assign, const std::vector<std::string> &choices = {})
       {
         const std::string key           = key_of(path_, name);
         const std::string default_value = defaults_.emplace(key, value_now).first->second;
@@ -430,7 +446,7 @@ namespace Breakwater
       dealii::ParameterHandler            handler_;
       Path                                path_;
       std::map<std::string, Path>         known_sections_; ///< by key
-      std::map<std::string, std::string>  known_entries_; ///< names by key
+      std::map<std::string, std::string>  known_entries_;  ///< names by key
       bool                                has_new_plugin_ = false;
     };
 
@@ -467,8 +483,8 @@ namespace Breakwater
   void print_parameters(std::ostream &stream, Plugin &root, const PluginRegistry &registry, const ParameterText &text)
   {
     std::map<std::string, std::string> defaults;
-    const bool is_reference = text.entries.empty() && text.sections.empty();
-    const auto last         = read_in_passes(root, registry, text, defaults, is_reference);
+    const bool                         is_reference = text.entries.empty() && text.sections.empty();
+    const auto                         last         = read_in_passes(root, registry, text, defaults, is_reference);
     last->check_that_all_is_known();
     last->print(stream);
   }

@@ -26,7 +26,8 @@ namespace Breakwater
 
   PluginLibraries::PluginLibraries(std::vector<fs::path> folders)
     : folders_(std::move(folders))
-  {}
+  {
+  }
 
   std::vector<fs::path> PluginLibraries::default_folders(const std::vector<fs::path> &added)
   {

@@ -64,7 +64,8 @@ namespace Breakwater
   RunContext::RunContext(std::filesystem::path output_directory, const bool resumed)
     : output_directory_(std::move(output_directory))
     , resumed_(resumed)
-  {}
+  {
+  }
 
   RunContext::~RunContext() = default;
 
@@ -78,7 +79,7 @@ namespace Breakwater
 
   void RunContext::note_effect(const std::string &effect, const bool active, const std::string &reason)
   {
-    const std::string         text = reason.empty() ? effect : effect + " (" + reason + ")";
+    const std::string         text = active || reason.empty() ? effect : effect + " (" + reason + ")";
     std::vector<std::string> &list = active ? effects_active_ : effects_skipped_;
     if (std::find(list.begin(), list.end(), text) == list.end())
       list.push_back(text);
@@ -146,5 +147,8 @@ namespace Breakwater
     context_.running_ = outer_;
   }
 
-  double PhaseTimer::seconds() const { return cpu_time() - start_ - inner_seconds_; }
+  double PhaseTimer::seconds() const
+  {
+    return cpu_time() - start_ - inner_seconds_;
+  }
 } // namespace Breakwater

@@ -6,7 +6,7 @@ namespace Breakwater
 {
   CommandLine parse_command_line(const std::vector<std::string> &arguments)
   {
-    using Task = CommandLine::Task;
+    using Task                             = CommandLine::Task;
     const std::vector<std::string> options = {"--set",    "--output",       "--resume",           "--validate",
                                               "--help",   "--list-plugins", "--print-parameters", "--plugin-path",
                                               "--version"};

@@ -16,15 +16,15 @@ namespace Breakwater
 
     /// Patches of deal.II, one per cell, whose reference cell is set already for vertices (mesh_dim = 0).
     template <int mesh_dim, int dim>
-    std::vector<dealii::DataOutBase::Patch<mesh_dim, dim>>
-    make_patches(const OutputMesh<dim> &mesh, const std::vector<unsigned int> &cells,
-                 const unsigned int vertices_per_cell)
+    std::vector<dealii::DataOutBase::Patch<mesh_dim, dim>> make_patches(const OutputMesh<dim>           &mesh,
+                                                                        const std::vector<unsigned int> &cells,
+                                                                        const unsigned int vertices_per_cell)
     {
       unsigned int n_components = 0;
       for (const auto &field : mesh.fields)
         n_components += field.n_components;
 
-      const std::size_t n_cells = cells.size() / vertices_per_cell;
+      const std::size_t                                      n_cells = cells.size() / vertices_per_cell;
       std::vector<dealii::DataOutBase::Patch<mesh_dim, dim>> patches(n_cells);
       for (std::size_t c = 0; c < n_cells; ++c)
         {
@@ -57,7 +57,7 @@ namespace Breakwater
                          const unsigned int vertices_per_cell, const double time)
     {
       using Interpretation = dealii::DataComponentInterpretation::DataComponentInterpretation;
-      std::vector<std::string>                                                        names;
+      std::vector<std::string>                                                         names;
       std::vector<std::tuple<unsigned int, unsigned int, std::string, Interpretation>> vectors;
       for (const auto &field : mesh.fields)
         {
@@ -122,7 +122,8 @@ namespace Breakwater
 
   FieldOutput::FieldOutput(fs::path directory)
     : directory_(std::move(directory))
-  {}
+  {
+  }
 
   void FieldOutput::remove_earlier()
   {
@@ -133,8 +134,8 @@ namespace Breakwater
         const std::size_t begin = line.find(start);
         if (begin == std::string::npos)
           continue;
-        const std::string file = line.substr(begin + start.size(), line.find('"', begin + start.size()) -
-                                                                     begin - start.size());
+        const std::string file =
+          line.substr(begin + start.size(), line.find('"', begin + start.size()) - begin - start.size());
         if (file.find('/') == std::string::npos)
           fs::remove(directory_ / file);
       }
@@ -152,10 +153,9 @@ namespace Breakwater
       {
         // An empty mesh still gets its file: readers expect the same parts at every time.
         const std::string file = file_stem(name) + number;
-        write_whole_file(directory_ / file,
-                         mesh.vertices_per_cell == 1 ?
-                           vtu_text<0>(mesh, mesh.cells, 1, time) :
-                           vtu_text<dim>(mesh, mesh.cells, mesh.vertices_per_cell, time));
+        write_whole_file(directory_ / file, mesh.vertices_per_cell == 1 ?
+                                              vtu_text<0>(mesh, mesh.cells, 1, time) :
+                                              vtu_text<dim>(mesh, mesh.cells, mesh.vertices_per_cell, time));
         records_.push_back({time, part++, name, file});
 
         const std::vector<unsigned int> loose = loose_nodes(mesh);
@@ -163,8 +163,8 @@ namespace Breakwater
           {
             const std::string loose_file = file_stem(name) + "-nodes" + number;
             write_whole_file(directory_ / loose_file, vtu_text<0>(mesh, loose, 1, time));
-            records_.push_back({time, static_cast<unsigned int>(meshes.size()) + part - 1, name + " (isolated nodes)",
-                                loose_file});
+            records_.push_back(
+              {time, static_cast<unsigned int>(meshes.size()) + part - 1, name + " (isolated nodes)", loose_file});
           }
       }
     write_pvd();

@@ -48,9 +48,18 @@ namespace Breakwater
     members_ += (members_.empty() ? "  " : ",\n  ") + json_of(name) + ": " + json;
   }
 
-  void JsonObject::add(const std::string &name, const double value) { add_member(name, json_of(value)); }
-  void JsonObject::add(const std::string &name, const unsigned long value) { add_member(name, std::to_string(value)); }
-  void JsonObject::add(const std::string &name, const std::string &value) { add_member(name, json_of(value)); }
+  void JsonObject::add(const std::string &name, const double value)
+  {
+    add_member(name, json_of(value));
+  }
+  void JsonObject::add(const std::string &name, const unsigned long value)
+  {
+    add_member(name, std::to_string(value));
+  }
+  void JsonObject::add(const std::string &name, const std::string &value)
+  {
+    add_member(name, json_of(value));
+  }
 
   void JsonObject::add(const std::string &name, const std::vector<std::string> &values)
   {
@@ -70,5 +79,8 @@ namespace Breakwater
     add_member(name, json_of(members));
   }
 
-  std::string JsonObject::text() const { return "{\n" + members_ + "\n}\n"; }
+  std::string JsonObject::text() const
+  {
+    return "{\n" + members_ + "\n}\n";
+  }
 } // namespace Breakwater

@@ -26,7 +26,9 @@ namespace Breakwater
     template <int dim>
     unsigned int nearest_node(const std::vector<Vec<dim>> &positions, const Vec<dim> &point)
     {
-      const auto nearer = [&point](const Vec<dim> &a, const Vec<dim> &b) { return norm(a - point) < norm(b - point); };
+      const auto nearer = [&point](const Vec<dim> &a, const Vec<dim> &b) {
+        return norm(a - point) < norm(b - point);
+      };
       return std::min_element(positions.begin(), positions.end(), nearer) - positions.begin();
     }
 
@@ -101,14 +103,14 @@ namespace Breakwater
     const std::vector<Vec<dim>> positions = undeformed_positions(mesh);
     node_                                 = nearest_node(positions, point);
     undeformed_                           = positions[node_];
-    const double distance = norm(undeformed_ - point);
-    const double allowed  = 0.1 * longest_edge_at(node_, mesh.cells, mesh.vertices_per_cell, positions);
+    const double distance                 = norm(undeformed_ - point);
+    const double allowed                  = 0.1 * longest_edge_at(node_, mesh.cells, mesh.vertices_per_cell, positions);
     if (distance > allowed)
       {
         std::ostringstream text;
-        text << "the probe \"" << name_ << "\" is " << distance << " m away from the nearest node of \""
-             << place.domain << "\", at " << point_text(undeformed_) << "; allowed is a tenth of the mesh size there, "
-             << allowed << " m. Name that node's place";
+        text << "the probe \"" << name_ << "\" is " << distance << " m away from the nearest node of \"" << place.domain
+             << "\", at " << point_text(undeformed_) << "; allowed is a tenth of the mesh size there, " << allowed
+             << " m. Name that node's place";
         throw InputError(text.str());
       }
 

@@ -28,7 +28,8 @@ namespace Breakwater
     , is_terminal_(isatty(STDERR_FILENO) != 0)
     , start_(Clock::now())
     , last_(start_)
-  {}
+  {
+  }
 
   Progress::~Progress()
   {
@@ -36,7 +37,10 @@ namespace Breakwater
       std::fputc('\n', stderr);
   }
 
-  double Progress::wall_seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
+  double Progress::wall_seconds() const
+  {
+    return std::chrono::duration<double>(Clock::now() - start_).count();
+  }
 
   void Progress::update(const double time, const double time_step, const RunContext &context)
   {

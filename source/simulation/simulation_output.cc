@@ -43,7 +43,10 @@ namespace Breakwater
       return time;
     }
 
-    bool is_table(const fs::path &file) { return file.extension() == ".csv"; }
+    bool is_table(const fs::path &file)
+    {
+      return file.extension() == ".csv";
+    }
 
     /// Cuts a table's rows after a time [s]; in place, since it may be open to append to.
     void cut_table(const fs::path &file, const double time)
@@ -89,7 +92,7 @@ namespace Breakwater
   template <int dim>
   void Simulation<dim>::start_output(const Options &options, const std::string &parameters)
   {
-    const fs::path directory = output_directory(options);
+    const fs::path  directory = output_directory(options);
     std::error_code error;
     fs::create_directories(directory, error);
     if (!fs::is_directory(directory))
@@ -99,8 +102,8 @@ namespace Breakwater
     if (!options.resume)
       {
         field_output_->remove_earlier();
-        for (const char *file : {"history.csv", "remeshing.csv", "report.html", "checkpoint", "checkpoint.new",
-                                 "checkpoint.old"})
+        for (const char *file :
+             {"history.csv", "remeshing.csv", "report.html", "checkpoint", "checkpoint.new", "checkpoint.old"})
           fs::remove_all(directory / file);
       }
     else
@@ -170,8 +173,7 @@ namespace Breakwater
         sum.internal_energy += balance.internal_energy;
         sum.strain_energy += balance.strain_energy;
       }
-    const double total_energy =
-      sum.kinetic_energy + sum.potential_energy + sum.internal_energy + sum.strain_energy;
+    const double total_energy = sum.kinetic_energy + sum.potential_energy + sum.internal_energy + sum.strain_energy;
 
     Row row = {{"time [s]", time_},
                {"kinetic energy [J]", sum.kinetic_energy},
@@ -211,7 +213,7 @@ namespace Breakwater
   template <int dim>
   void Simulation<dim>::write_fields()
   {
-    PhaseTimer                                            timer(*context_, Phase::output);
+    PhaseTimer                                           timer(*context_, Phase::output);
     std::vector<std::pair<std::string, OutputMesh<dim>>> meshes;
     for (const NamedDomain &domain : domains_)
       meshes.emplace_back(domain.name == "Fluid" ? "fluid" : domain.name, domain.domain->output_mesh());

@@ -26,7 +26,8 @@ namespace Breakwater
   {
     static_assert(std::is_trivially_copyable<T>::value, "write the elements one by one");
     write_binary(stream, static_cast<std::uint64_t>(values.size()));
-    stream.write(reinterpret_cast<const char *>(values.data()), static_cast<std::streamsize>(sizeof(T) * values.size()));
+    stream.write(reinterpret_cast<const char *>(values.data()),
+                 static_cast<std::streamsize>(sizeof(T) * values.size()));
   }
 
   inline void write_binary(std::ostream &stream, const std::string &text)

@@ -62,6 +62,5 @@ namespace Breakwater
 
   /// Writes all entries that root and its chosen plugins declare, with their documentation, values and defaults, in
   /// the form of a parameter file. An empty text gives the defaults.
-  void print_parameters(std::ostream &stream, Plugin &root, const PluginRegistry &registry,
-                        const ParameterText &text);
+  void print_parameters(std::ostream &stream, Plugin &root, const PluginRegistry &registry, const ParameterText &text);
 } // namespace Breakwater

@@ -21,7 +21,7 @@ namespace Breakwater
 
     Task                               task = Task::run;
     std::filesystem::path              parameter_file; ///< may be empty for list_plugins and print_parameters
-    std::vector<std::string>           overrides; ///< "Section/Entry=value"
+    std::vector<std::string>           overrides;      ///< "Section/Entry=value"
     std::vector<std::filesystem::path> plugin_folders;
     std::filesystem::path              output_directory; ///< empty: the scene's
     bool                               resume = false;

@@ -14,7 +14,8 @@ namespace Breakwater
     /// @param window [s]
     explicit EnergyRise(const double window)
       : window_(window)
-    {}
+    {
+    }
 
     /// A sample [J] at a time [s] not before the last one.
     void add(double time, double energy);

@@ -10,9 +10,9 @@ namespace Breakwater
   /// What the entry "Probes" names: "tip: Obstacle(0.292, 0.08, 0.075)".
   struct ProbePlace
   {
-    std::string         name; ///< "tip"
+    std::string         name;   ///< "tip"
     std::string         domain; ///< "Obstacle"
-    std::vector<double> point; ///< in the undeformed body [m]
+    std::vector<double> point;  ///< in the undeformed body [m]
   };
 
   /// Places separated by semicolons. @throws InputError where the text has another form
@@ -34,8 +34,8 @@ namespace Breakwater
   private:
     std::string                name_;
     const ExplicitDomain<dim> *domain_;
-    Vec<dim>                   undeformed_; ///< of the node [m]
+    Vec<dim>                   undeformed_;            ///< of the node [m]
     bool                       is_on_surface_ = false; ///< the node belongs to the wet surface, cheap to read
-    unsigned int               node_          = 0; ///< of the wet surface or of the output mesh
+    unsigned int               node_          = 0;     ///< of the wet surface or of the output mesh
   };
 } // namespace Breakwater

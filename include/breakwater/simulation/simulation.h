@@ -10,6 +10,7 @@
 #include <breakwater/simulation/probe.h>
 #include <breakwater/simulation/progress.h>
 
+#include <chrono>
 #include <csignal>
 #include <filesystem>
 #include <memory>
@@ -39,7 +40,7 @@ namespace Breakwater
   public:
     struct Options
     {
-      std::string           parameter_file; ///< as named on the command line
+      std::string           parameter_file;   ///< as named on the command line
       std::filesystem::path output_directory; ///< empty: as the scene says
       bool                  resume = false;
     };
@@ -108,35 +109,36 @@ namespace Breakwater
     void write_summary(const Options &options, const std::string &status, const std::string &message) const;
 
     // The scene
-    SceneHeader                       header_;
-    PluginList<BodyForce<dim>>        body_forces_;
-    PluginList<ExplicitDomain<dim>>   fluid_;
-    std::vector<Structure>            structures_;
-    PluginList<Coupler<dim>>          coupler_;
-    PluginList<Postprocessor<dim>>    postprocessors_;
-    std::string                       directory_;
-    double                            fields_every_           = 0.01; ///< [s]
-    double                            history_every_          = 0.001; ///< [s]
-    std::string                       probes_text_;
-    double                            checkpoints_every_      = 0; ///< simulated [s]
-    double                            checkpoints_every_wall_ = 600; ///< [s]
+    SceneHeader                     header_;
+    PluginList<BodyForce<dim>>      body_forces_;
+    PluginList<ExplicitDomain<dim>> fluid_;
+    std::vector<Structure>          structures_;
+    PluginList<Coupler<dim>>        coupler_;
+    PluginList<Postprocessor<dim>>  postprocessors_;
+    std::string                     directory_;
+    double                          fields_every_  = 0.01;  ///< [s]
+    double                          history_every_ = 0.001; ///< [s]
+    std::string                     probes_text_;
+    double                          checkpoints_every_      = 0;   ///< simulated [s]
+    double                          checkpoints_every_wall_ = 600; ///< [s]
 
     // The run
-    std::unique_ptr<RunContext>       context_;
-    std::unique_ptr<FieldOutput>      field_output_;
-    std::unique_ptr<Progress>         progress_;
-    std::vector<NamedDomain>          domains_;
-    std::vector<Probe<dim>>           probes_;
-    Monitor                           monitor_;
-    double                            time_                 = 0; ///< [s]
-    double                            time_step_            = 0; ///< the last one [s]
-    double                            natural_step_         = 0; ///< last coupled step that nothing cut short [s]
-    unsigned long                     n_fields_             = 0; ///< outputs of fields so far
-    unsigned long                     n_histories_          = 0;
-    double                            earlier_wall_seconds_ = 0; ///< of the run that was resumed
-    double                            last_fields_time_     = -1; ///< [s]
-    double                            last_history_time_    = -1; ///< [s]
-    double                            last_checkpoint_time_ = 0; ///< simulated [s]
-    double                            last_checkpoint_wall_ = 0; ///< [s]
+    std::unique_ptr<RunContext>           context_;
+    std::unique_ptr<FieldOutput>          field_output_;
+    std::unique_ptr<Progress>             progress_;
+    std::vector<NamedDomain>              domains_;
+    std::vector<Probe<dim>>               probes_;
+    Monitor                               monitor_;
+    double                                time_         = 0; ///< [s]
+    double                                time_step_    = 0; ///< the last one [s]
+    double                                natural_step_ = 0; ///< last coupled step that nothing cut short [s]
+    unsigned long                         n_fields_     = 0; ///< outputs of fields so far
+    unsigned long                         n_histories_  = 0;
+    std::chrono::steady_clock::time_point start_;
+    double                                earlier_wall_seconds_ = 0;  ///< of the run that was resumed
+    double                                last_fields_time_     = -1; ///< [s]
+    double                                last_history_time_    = -1; ///< [s]
+    double                                last_checkpoint_time_ = 0;  ///< simulated [s]
+    double                                last_checkpoint_wall_ = 0;  ///< [s]
   };
 } // namespace Breakwater
