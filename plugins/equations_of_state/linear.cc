@@ -9,8 +9,7 @@ namespace Breakwater
   void LinearEquationOfState::declare_parameters(ParameterReader &reader)
   {
     reader.add("Reference density", reference_density_, "Density at zero pressure, rho0 [kg/m^3]", Range::positive());
-    reader.add("Bulk modulus", bulk_modulus_, "rho0 c0^2 [Pa]; 0: follows from the sound speed",
-               Range::not_negative());
+    reader.add("Bulk modulus", bulk_modulus_, "rho0 c0^2 [Pa]; 0: follows from the sound speed", Range::not_negative());
     reader.add("Sound speed", sound_speed_,
                "c0 [m/s]; 0: follows from the bulk modulus. Usual choice: 10 to 20 times the largest velocity",
                Range::not_negative());
@@ -43,7 +42,10 @@ namespace Breakwater
   }
 
 
-  double LinearEquationOfState::sound_speed(const double) const { return std::sqrt(speed_squared_); }
+  double LinearEquationOfState::sound_speed(const double) const
+  {
+    return std::sqrt(speed_squared_);
+  }
 
 
   // e = c0^2 [ln r + 1 / r - 1],  r = rho / rho0 = exp(l): written with expm1, as the leading terms l cancel

@@ -19,8 +19,8 @@ namespace Breakwater
 
   private:
     double reference_density_ = 1000; ///< rho0 [kg/m^3]
-    double bulk_modulus_      = 0; ///< rho0 c0^2 [Pa], 0: not given
-    double sound_speed_       = 0; ///< c0 [m/s], 0: not given
+    double bulk_modulus_      = 0;    ///< rho0 c0^2 [Pa], 0: not given
+    double sound_speed_       = 0;    ///< c0 [m/s], 0: not given
 
     double speed_squared_ = 0; ///< c0^2 [m^2/s^2]
   };

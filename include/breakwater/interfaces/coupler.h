@@ -8,7 +8,7 @@ namespace Breakwater
   /// What a coupler measures: the proof that the interface makes no energy.
   struct InterfaceBalance
   {
-    double       energy       = 0; ///< work of the link forces on both domains since the start [J]; > 0: made
+    double       energy       = 0; ///< kinetic energy from the link forces on both domains since the start [J]
     double       velocity_gap = 0; ///< largest difference of the tied velocities at the last fine step [m/s]
     double       largest_gap  = 0; ///< largest velocity gap of the run [m/s]
     double       displacement_drift = 0; ///< largest difference of the tied positions since the last correction [m]

@@ -49,7 +49,9 @@ namespace Breakwater
     virtual void advance_free(double time_step) = 0;
 
     /// Adds forces [N] at the nodes of the wet surface to the step just made by advance_free().
-    /// @pre one force per node of wet_surface(), time_step as in advance_free()
+    /// With time_step = 0 they act in the first half of the next step only: a += M^-1 lambda, v stays. May be called
+    /// several times per step, and with time_step = 0 before the first one.
+    /// @pre one force per node of wet_surface(), time_step as in advance_free() or 0
     virtual void add_link_force(const std::vector<Vec<dim>> &force, double time_step) = 0;
 
     /// The step is complete, links included. The fluid remeshes here if it must. @throws BreakdownError

@@ -1,0 +1,11 @@
+#include <breakwater/base/plugin_export.h>
+
+#include "gravouil_combescure.h"
+
+BREAKWATER_PLUGIN_LIBRARY(registry)
+{
+  using namespace Breakwater;
+  const char *description = "velocities tied at every fine step, each domain with its own step; no energy is made";
+  registry.add<Coupler<2>, GravouilCombescure<2>>("Gravouil Combescure", description);
+  registry.add<Coupler<3>, GravouilCombescure<3>>("Gravouil Combescure", description);
+}
