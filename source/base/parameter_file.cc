@@ -240,7 +240,7 @@ namespace Breakwater
       {
         declare(name, member ? "true" : "false", documentation, dealii::Patterns::Bool(), "true or false",
                 [&member](const std::string &value) {
-                  member = value == "true" || value == "yes";
+                  member = value == "true";
                 });
       }
 

@@ -1,0 +1,58 @@
+"""A run that is interrupted and resumed gives the same bits as one that is not."""
+
+import json
+import os
+import shutil
+import signal
+import subprocess
+import sys
+import time
+
+from _program import EXECUTABLE, SOURCES, Failures, run
+
+failures = Failures()
+DAM_BREAK = os.path.join(SOURCES, "parameter_files/cookbooks/dam_break.prm")
+OBSTACLE = os.path.join(SOURCES, "parameter_files/cookbooks/dam_break_elastic_obstacle.prm")
+CASES = {
+    "fluid": [DAM_BREAK, "--set", "Fluid/Pfem/Spacing=0.008", "--set", "End time=0.3", "--set",
+              "Output/History every=0.001"],
+    "coupled": [OBSTACLE, "--set", "Fluid/Pfem/Spacing=0.02", "--set", "End time=0.3"],
+}
+
+
+def interrupt_after(n_rows, arguments, folder):
+    """Starts a run, stops it by SIGTERM when history.csv has n_rows. @return exit status"""
+    history = os.path.join(folder, "history.csv")
+    process = subprocess.Popen([EXECUTABLE, *arguments], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    deadline = time.time() + 200
+    while process.poll() is None and time.time() < deadline:
+        if os.path.exists(history) and open(history, encoding="utf-8").read().count("\n") > n_rows:
+            process.send_signal(signal.SIGTERM)
+            break
+        time.sleep(0.002)
+    return process.wait(timeout=100)
+
+
+for name, arguments in CASES.items():
+    for folder in [f"{name}-whole", f"{name}-parts"]:
+        shutil.rmtree(folder, ignore_errors=True)
+    whole = run(*arguments, "--output", f"{name}-whole")
+    failures.check(whole.returncode == 0, f"{name}: the whole run ends well: {whole.stderr}")
+
+    folder = f"{name}-parts"
+    status = interrupt_after(60, [*arguments, "--output", folder], folder)
+    failures.check(status == 2, f"{name}: an interrupted run ends with status 2, not {status}")
+    summary = json.load(open(os.path.join(folder, "summary.json"), encoding="utf-8"))
+    failures.check(summary["status"] == "interrupted" and summary["end_time"] < 0.3,
+                   f"{name}: interrupted at {summary['end_time']} s")
+    rest = run(*arguments, "--output", folder, "--resume")
+    failures.check(rest.returncode == 0, f"{name}: it goes on: {rest.stderr}")
+    for table in sorted(file for file in os.listdir(f"{name}-whole") if file.endswith(".csv")):
+        one, two = (open(os.path.join(f, table), encoding="utf-8").read() for f in [f"{name}-whole", folder])
+        if table == "remeshing.csv":  # its seconds differ
+            one, two = (text.count("\n") for text in [one, two])
+        failures.check(one == two, f"{name}: {table} is the same as without an interruption")
+    listed = [open(os.path.join(f, "solution.pvd"), encoding="utf-8").read() for f in [f"{name}-whole", folder]]
+    failures.check(listed[0].count("<DataSet") <= listed[1].count("<DataSet"), f"{name}: solution.pvd is whole")
+
+failures.finish()
