@@ -1,5 +1,7 @@
 #pragma once
 
+#include "element_passes.h"
+
 #include <breakwater/base/vec.h>
 
 #include <cstdint>
@@ -7,15 +9,6 @@
 
 namespace Breakwater
 {
-  /// Four doubles of one node, one load of a vector register. Components that 2D does not need are zero.
-  struct alignas(32) Quad
-  {
-    double c[4] = {};
-
-    double       &operator[](const std::size_t d) { return c[d]; }
-    const double &operator[](const std::size_t d) const { return c[d]; }
-  };
-
   /// The state of the fluid's nodes, as split arrays. Nodes [0, n_interface) are those of an adopted surface; the
   /// others are numbered along a Hilbert curve.
   template <int dim>

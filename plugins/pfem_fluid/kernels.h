@@ -8,16 +8,6 @@
 
 namespace Breakwater
 {
-  /// What the force pass computes besides pressure: chosen once per scene, compiled apart, so that an effect which is
-  /// not in the scene costs nothing.
-  struct ForceEffects
-  {
-    bool   viscous              = false;
-    bool   density_diffusion    = false;
-    double viscosity            = 0; ///< [Pa s]
-    double least_viscous_volume = 0; ///< cells smaller than this count as this big in viscous forces [m^dim]
-  };
-
   /// Nodal volumes V_i = sum over cells of V_c / (dim + 1), signed [m^dim].
   template <int dim>
   void compute_volumes(const std::vector<typename SimplexMesh<dim>::Cell> &cells, const std::vector<Quad> &xp,

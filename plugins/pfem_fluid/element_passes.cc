@@ -1,0 +1,224 @@
+#include "element_passes.h"
+
+// The element passes, compiled once per instruction set with BREAKWATER_INSTRUCTION_SET as the namespace.
+//
+// A node is one vector of four doubles, so that a cell costs dim + 1 vector loads and stores and the arithmetic runs
+// along x, y, z. No header with inline functions of general use may stand here: the linker could pick a copy of them
+// that was compiled for an instruction set which the machine does not have.
+
+namespace Breakwater
+{
+  namespace BREAKWATER_INSTRUCTION_SET
+  {
+    namespace
+    {
+      typedef double V4 __attribute__((vector_size(32)));
+      typedef long   I4 __attribute__((vector_size(32)));
+
+      inline V4   load(const Quad &q) { return *reinterpret_cast<const V4 *>(q.c); }
+      inline void store(Quad &q, const V4 &v) { *reinterpret_cast<V4 *>(q.c) = v; }
+      inline V4   all(const double s) { return V4{s, s, s, s}; }
+
+      template <int lane>
+      inline V4 spread(const V4 &v)
+      {
+        return __builtin_shuffle(v, I4{lane, lane, lane, lane});
+      }
+
+      /// a x b in the first three lanes.
+      inline V4 cross(const V4 &a, const V4 &b)
+      {
+        constexpr I4 yzx = {1, 2, 0, 3};
+        return __builtin_shuffle(a * __builtin_shuffle(b, yzx) - __builtin_shuffle(a, yzx) * b, yzx);
+      }
+
+      inline double dot3(const V4 &a, const V4 &b)
+      {
+        const V4 p = a * b;
+        return p[0] + p[1] + p[2];
+      }
+
+      /// The sums over the lanes of four vectors.
+      inline V4 lane_sums(const V4 &a, const V4 &b, const V4 &c, const V4 &d)
+      {
+        const V4 ab = __builtin_shuffle(a, b, I4{0, 4, 2, 6}) + __builtin_shuffle(a, b, I4{1, 5, 3, 7});
+        const V4 cd = __builtin_shuffle(c, d, I4{0, 4, 2, 6}) + __builtin_shuffle(c, d, I4{1, 5, 3, 7});
+        return __builtin_shuffle(ab, cd, I4{0, 1, 4, 5}) + __builtin_shuffle(ab, cd, I4{2, 3, 6, 7});
+      }
+
+      /// Area vectors A_a of a cell, and its volume. The fourth lanes of x take no part.
+      template <int dim>
+      inline double geometry(const V4 *x, V4 *area)
+      {
+        if constexpr (dim == 2)
+          {
+            const V4 e1 = x[1] - x[0], e2 = x[2] - x[0];
+            area[1]     = V4{0.5 * e2[1], -0.5 * e2[0], 0., 0.};
+            area[2]     = V4{-0.5 * e1[1], 0.5 * e1[0], 0., 0.};
+            area[0]     = -(area[1] + area[2]);
+            return e1[0] * area[1][0] + e1[1] * area[1][1];
+          }
+        else
+          {
+            const V4 e1 = x[1] - x[0], e2 = x[2] - x[0], e3 = (x[3] - x[0]) * all(1. / 6.);
+            area[1] = cross(e2, e3);
+            area[2] = cross(e3, e1);
+            area[3] = cross(e1, e2) * all(1. / 6.);
+            area[0] = -(area[1] + area[2] + area[3]);
+            return dot3(e1, area[1]);
+          }
+      }
+
+      template <int dim>
+      inline double volume_of(const V4 *x)
+      {
+        if constexpr (dim == 2)
+          {
+            const V4 e1 = x[1] - x[0], e2 = x[2] - x[0];
+            return 0.5 * (e1[0] * e2[1] - e1[1] * e2[0]);
+          }
+        else
+          return dot3(x[1] - x[0], cross(x[2] - x[0], x[3] - x[0])) * (1. / 6.);
+      }
+
+      /// Viscous forces of a cell are subtracted from f: tau A_a with S = V (L + L^T), of which row d is
+      /// sum_a v_a[d] A_a + A_a[d] v_a, and tau = mu / V (S - 2/3 tr(L) V). As the A_a add up to zero, velocities
+      /// against the first corner do.
+      template <int dim>
+      inline void subtract_viscous_forces(const V4 *v, const V4 *area, const double factor, V4 *f)
+      {
+        V4 s0 = all(0.), s1 = all(0.), s2 = all(0.);
+        for (int a = 1; a <= dim; ++a)
+          {
+            const V4 dv = v[a] - v[0];
+            s0 += spread<0>(dv) * area[a] + spread<0>(area[a]) * dv;
+            s1 += spread<1>(dv) * area[a] + spread<1>(area[a]) * dv;
+            if constexpr (dim == 3)
+              s2 += spread<2>(dv) * area[a] + spread<2>(area[a]) * dv;
+          }
+        const V4 pressure_like = all((1. / 3.) * (s0[0] + s1[1] + s2[2]));
+        for (int a = 1; a <= dim; ++a)
+          {
+            V4 t = spread<0>(area[a]) * s0 + spread<1>(area[a]) * s1 - pressure_like * area[a];
+            if constexpr (dim == 3)
+              t += spread<2>(area[a]) * s2;
+            t *= all(factor);
+            f[a] -= t;
+            f[0] += t;
+          }
+      }
+
+      template <int dim>
+      void volumes(const unsigned int *cells, const std::size_t n_cells, const Quad *xp, double *volume)
+      {
+        constexpr double share = 1. / (dim + 1);
+        for (std::size_t c = 0; c < n_cells; ++c)
+          {
+            const unsigned int *cell = cells + c * (dim + 1);
+            V4                  x[dim + 1];
+            for (int a = 0; a <= dim; ++a)
+              x[a] = load(xp[cell[a]]);
+            const double part = volume_of<dim>(x) * share;
+            for (int a = 0; a <= dim; ++a)
+              volume[cell[a]] += part;
+          }
+      }
+
+      template <int dim, bool viscous, bool diffusion>
+      void forces(const unsigned int *cells, const std::size_t n_cells, const ForceEffects &effects, const Quad *xp,
+                  const Quad *v, const Quad *density_slope, Quad *force)
+      {
+        constexpr int    n    = dim + 1;
+        constexpr double mean = 1. / n;
+        for (std::size_t c = 0; c < n_cells; ++c)
+          {
+            const unsigned int *cell = cells + c * n;
+            V4                  x[n], area[n], f[n];
+            for (int a = 0; a < n; ++a)
+              x[a] = load(xp[cell[a]]);
+            V4 sum = x[0];
+            for (int a = 1; a < n; ++a)
+              sum += x[a];
+            const double volume   = geometry<dim>(x, area);
+            const double size     = __builtin_fabs(volume);
+            const V4     pressure = spread<3>(sum) * all(mean);
+            for (int a = 0; a < n; ++a)
+              f[a] = pressure * area[a];
+
+            if constexpr (viscous)
+              {
+                V4 velocity[n];
+                for (int a = 0; a < n; ++a)
+                  velocity[a] = load(v[cell[a]]);
+                const double least = effects.least_viscous_volume;
+                subtract_viscous_forces<dim>(velocity, area, effects.viscosity / (size > least ? size : least), f);
+              }
+
+            if constexpr (diffusion)
+              {
+                // rho_a - s . x_a, of which the cell's mean is taken away: exactly zero in a hydrostatic column.
+                V4 q[n], q_mean;
+                for (int a = 0; a < n; ++a)
+                  q[a] = load(density_slope[cell[a]]);
+                q_mean = q[0];
+                for (int a = 1; a < n; ++a)
+                  q_mean += q[a];
+                q_mean *= all(mean);
+                V4 y[4] = {all(0.), all(0.), all(0.), all(0.)};
+                for (int a = 0; a < n; ++a)
+                  y[a] = __builtin_shuffle(q_mean * (x[0] - x[a]), q[a] - q_mean, I4{0, 1, 2, 7});
+                const V4     rest      = lane_sums(y[0], y[1], y[2], y[3]);
+                const double rest_mean = (rest[0] + rest[1] + rest[2] + rest[3]) * mean;
+                const V4     flux      = all(size) * (rest - all(rest_mean));
+                f[0]                   = __builtin_shuffle(f[0], spread<0>(flux), I4{0, 1, 2, 7});
+                f[1]                   = __builtin_shuffle(f[1], spread<1>(flux), I4{0, 1, 2, 7});
+                f[2]                   = __builtin_shuffle(f[2], spread<2>(flux), I4{0, 1, 2, 7});
+                if constexpr (dim == 3)
+                  f[3] = __builtin_shuffle(f[3], spread<3>(flux), I4{0, 1, 2, 7});
+              }
+
+            for (int a = 0; a < n; ++a)
+              store(force[cell[a]], load(force[cell[a]]) + f[a]);
+          }
+      }
+
+      template <int dim>
+      double largest_relative_displacement(const unsigned int *cells, const std::size_t n_cells, const Quad *x,
+                                           const Quad *x0)
+      {
+        double largest = 0;
+        for (std::size_t c = 0; c < n_cells; ++c)
+          {
+            const unsigned int *cell = cells + c * (dim + 1);
+            V4                  u[dim + 1];
+            for (int a = 0; a <= dim; ++a)
+              u[a] = load(x[cell[a]]) - load(x0[cell[a]]);
+            V4 mean = u[0];
+            for (int a = 1; a <= dim; ++a)
+              mean += u[a];
+            mean *= all(1. / (dim + 1));
+            for (int a = 0; a <= dim; ++a)
+              {
+                const V4     d      = u[a] - mean;
+                const double square = dot3(d, d);
+                largest             = square > largest ? square : largest;
+              }
+          }
+        return __builtin_sqrt(largest);
+      }
+    } // namespace
+
+
+    template <int dim>
+    ElementPasses element_passes()
+    {
+      return {volumes<dim>,
+              {{forces<dim, false, false>, forces<dim, false, true>},
+               {forces<dim, true, false>, forces<dim, true, true>}},
+              largest_relative_displacement<dim>};
+    }
+
+    template ElementPasses element_passes<2>();
+    template ElementPasses element_passes<3>();
+  } // namespace BREAKWATER_INSTRUCTION_SET
+} // namespace Breakwater

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstddef>
+
+namespace Breakwater
+{
+  /// Four doubles of one node, one load of a vector register. Components that 2D does not need are zero.
+  struct alignas(32) Quad
+  {
+    double c[4] = {};
+
+    double       &operator[](const std::size_t d) { return c[d]; }
+    const double &operator[](const std::size_t d) const { return c[d]; }
+  };
+
+  /// What the force pass computes besides pressure: chosen once per scene, compiled apart, so that an effect which is
+  /// not in the scene costs nothing.
+  struct ForceEffects
+  {
+    bool   viscous              = false;
+    bool   density_diffusion    = false;
+    double viscosity            = 0; ///< [Pa s]
+    double least_viscous_volume = 0; ///< cells smaller than this count as this big in viscous forces [m^dim]
+  };
+
+  /// The loops over cells, compiled once per instruction set (element_passes.cc). Cells are arrays [cell][dim + 1].
+  struct ElementPasses
+  {
+    void (*volumes)(const unsigned int *cells, std::size_t n_cells, const Quad *xp, double *volume);
+    /// By [viscous][density diffusion].
+    void (*forces[2][2])(const unsigned int *cells, std::size_t n_cells, const ForceEffects &effects, const Quad *xp,
+                         const Quad *v, const Quad *density_slope, Quad *force);
+    double (*largest_relative_displacement)(const unsigned int *cells, std::size_t n_cells, const Quad *x,
+                                            const Quad *x0);
+  };
+
+  namespace Baseline
+  {
+    template <int dim>
+    ElementPasses element_passes();
+  }
+  namespace Avx2
+  {
+    template <int dim>
+    ElementPasses element_passes();
+  }
+} // namespace Breakwater
