@@ -1,0 +1,338 @@
+#include <couplers/gravouil_combescure.h>
+#include <gtest/gtest.h>
+#include <unit/plugins/given_parameters.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <random>
+#include <sstream>
+
+#include "chain.h"
+
+using namespace Breakwater;
+
+namespace
+{
+  using Coupling = GravouilCombescure<2>;
+
+  /// Two coupled chains.
+  struct Pair
+  {
+    Chain                       first, second;
+    Coupling                    coupling;
+    std::unique_ptr<RunContext> context      = std::make_unique<RunContext>(std::filesystem::temp_directory_path());
+    double                      start_energy = 0;
+
+    Pair(Chain a, Chain b, const unsigned int n_substeps = 0, const std::string &coarse = "automatic")
+      : first(std::move(a))
+      , second(std::move(b))
+    {
+      GivenParameters::read(coupling, {{"Substeps", std::to_string(n_substeps)}, {"Coarse domain", coarse}});
+    }
+    void start()
+    {
+      first.setup();
+      second.setup();
+      coupling.setup(first, second, *context);
+      start_energy = energy();
+    }
+    double energy() const { return first.energy() + second.energy(); }
+  };
+
+
+  /// What a run showed: error of the displacement, and energies as fractions of that at the start.
+  struct Outcome
+  {
+    double error = 0, energy = 0, largest_energy = 0, interface_energy = 0, largest_interface_energy = -1,
+           largest_pseudo_growth = -1, gap = 0;
+  };
+
+  void observe(const Pair &pair, const double pseudo_before, Outcome &outcome)
+  {
+    outcome.energy                   = pair.energy() / pair.start_energy;
+    outcome.largest_energy           = std::max(outcome.largest_energy, outcome.energy);
+    outcome.interface_energy         = pair.coupling.balance().energy / pair.start_energy;
+    outcome.largest_interface_energy = std::max(outcome.largest_interface_energy, outcome.interface_energy);
+    outcome.largest_pseudo_growth =
+      std::max(outcome.largest_pseudo_growth, (pair.coupling.pseudo_energy() - pseudo_before) / pair.start_energy);
+    outcome.gap = pair.coupling.balance().largest_gap;
+  }
+
+  /// Masses 1 and 0.5 kg on springs of 1 and 3 N/m, tied: u = cos(w t), w^2 = 4 / 1.5, over 10 periods.
+  Outcome run_two_masses(const bool first_is_coarse, const unsigned int m, const unsigned int steps_per_period)
+  {
+    const double frequency = std::sqrt(4 / 1.5);
+    const double step      = 2 * M_PI / frequency / steps_per_period;
+    Pair         pair(point_mass(1, 1, first_is_coarse ? step : step / m),
+                      point_mass(0.5, 3, first_is_coarse ? step / m : step), m, first_is_coarse ? "first" : "second");
+    pair.first.displacement()[0] = pair.second.displacement()[0] = 1;
+    pair.start();
+
+    Outcome outcome;
+    double  time = 0;
+    for (unsigned int i = 0; i < 10 * steps_per_period; ++i)
+      {
+        const double pseudo_before = pair.coupling.pseudo_energy();
+        time += pair.coupling.advance(1.);
+        EXPECT_EQ(pair.coupling.balance().n_substeps, m);
+        for (const Chain *chain : {&pair.first, &pair.second})
+          outcome.error = std::max(outcome.error, std::abs(chain->tied_displacement() - std::cos(frequency * time)));
+        observe(pair, pseudo_before, outcome);
+      }
+    return outcome;
+  }
+
+  /// Two bars of length 1 and n cells each, coarse CFL number 0.5, in the first mode of the pair.
+  Pair two_bars(const unsigned int n, const unsigned int m, const bool first_is_coarse, const unsigned int n_substeps,
+                const double mass_of_the_first_tied_node = 1)
+  {
+    const double h = 1. / n, step = 0.5 * h;
+    Pair         pair(bar(0, 1, n, 1, 1, true, first_is_coarse ? step : step / m),
+                      bar(1, 2, n, 1, 1, false, first_is_coarse ? step / m : step), n_substeps,
+              n_substeps == 0 ? "automatic" :
+                      first_is_coarse ? "first" :
+                                        "second");
+    pair.first.mass()[n - 1] *= mass_of_the_first_tied_node;
+    for (unsigned int i = 0; i < n; ++i)
+      {
+        pair.first.displacement()[i]  = std::sin(M_PI / 2 * (i + 1) * h);
+        pair.second.displacement()[i] = std::sin(M_PI / 2 * (1 + i * h));
+      }
+    return pair;
+  }
+
+  Outcome run_bars(Pair &pair, const double duration, const bool with_random_steps = false)
+  {
+    std::mt19937                           generator(1);
+    std::uniform_real_distribution<double> fraction(0.3, 1.);
+    const double first_step = pair.first.stable_time_step(), second_step = pair.second.stable_time_step();
+    pair.start();
+    Outcome outcome;
+    for (double time = 0; time < duration;)
+      {
+        if (with_random_steps)
+          {
+            pair.first.set_stable_time_step(first_step * fraction(generator));
+            pair.second.set_stable_time_step(second_step * fraction(generator));
+          }
+        const double pseudo_before = pair.coupling.pseudo_energy();
+        time += pair.coupling.advance(1.);
+        observe(pair, pseudo_before, outcome);
+      }
+    return outcome;
+  }
+
+
+  TEST(GravouilCombescure, TwoMassesConvergeToTheExactSolution)
+  {
+    for (const bool first_is_coarse : {true, false})
+      for (const unsigned int m : {1u, 2u, 10u})
+        {
+          const Outcome coarse = run_two_masses(first_is_coarse, m, 200),
+                        fine   = run_two_masses(first_is_coarse, m, 400);
+          const double rate    = std::log2(coarse.error / fine.error);
+          std::printf("%s coarse, m = %2u: error %.2e, rate %.2f, energy %.4f\n", first_is_coarse ? "first " : "second",
+                      m, fine.error, rate, fine.energy);
+          EXPECT_GT(rate, m == 1 ? 1.95 : 0.9);
+          EXPECT_LT(fine.error, m == 1 ? 1e-3 : 5e-2);
+        }
+  }
+
+
+  TEST(GravouilCombescure, InterfaceEnergyIsZeroAtEqualStepsAndNeverPositive)
+  {
+    for (const bool first_is_coarse : {true, false})
+      for (const unsigned int m : {1u, 2u, 5u, 10u})
+        {
+          const Outcome outcome = run_two_masses(first_is_coarse, m, 100);
+          if (m == 1)
+            EXPECT_LT(std::abs(outcome.interface_energy), 1e-14);
+          else
+            EXPECT_LT(outcome.interface_energy, -0.1);
+          EXPECT_LE(outcome.largest_interface_energy, 1e-14);
+          EXPECT_LE(outcome.largest_pseudo_growth, m == 1 ? 1e-17 : 0.);
+          EXPECT_LT(outcome.gap, 1e-14);
+          // what the domains lost went through the interface
+          EXPECT_NEAR(outcome.energy - 1, outcome.interface_energy, 5e-4); // to O(dt^2)
+        }
+  }
+
+
+  // Interpolating from the corrected velocity leaves 0.39 (m = 5) and 0.27 (m = 10) of the energy at any n.
+  TEST(GravouilCombescure, BarsKeepTheirEnergy)
+  {
+    for (const unsigned int m : {1u, 2u, 5u, 10u})
+      {
+        double loss[3];
+        for (unsigned int i = 0; i < 3; ++i)
+          {
+            Pair pair = two_bars(20u << i, m, true, m);
+            loss[i]   = 1 - run_bars(pair, 20).energy;
+          }
+        std::printf("m = %2u: energy lost %.5f, %.5f, %.5f at 20, 40, 80 cells\n", m, loss[0], loss[1], loss[2]);
+        EXPECT_LT(loss[2], m == 1 ? 1e-8 : 1e-3);
+        if (m > 1)
+          {
+            EXPECT_GT(loss[0] / loss[1], 3.);
+            EXPECT_GT(loss[1] / loss[2], 3.);
+          }
+      }
+  }
+
+
+  TEST(GravouilCombescure, StepsMayVaryAndDomainsMayChangeRoles)
+  {
+    for (const unsigned int m : {1u, 3u, 10u})
+      for (const bool first_is_coarse : {true, false})
+        {
+          Pair          pair    = two_bars(40, m, first_is_coarse, 0);
+          const Outcome outcome = run_bars(pair, 40, true);
+          EXPECT_LE(outcome.largest_energy, 1 + 1e-4);
+          EXPECT_GT(outcome.energy, 0.995);
+          EXPECT_LE(outcome.largest_interface_energy, 1e-14);
+          EXPECT_LE(outcome.largest_pseudo_growth, 1e-17);
+          EXPECT_LT(outcome.gap, 1e-14);
+        }
+  }
+
+
+  // A bound that falls within the coarse step: more fine steps, and the coarse step stays.
+  TEST(GravouilCombescure, FineStepsFollowTheirBound)
+  {
+    class Falling : public Chain
+    {
+    public:
+      using Chain::Chain;
+      void end_step() override
+      {
+        Chain::end_step();
+        set_stable_time_step(0.04);
+      }
+    };
+    Chain      first = point_mass(1, 1, 0.5);
+    Falling    second({0.}, {0.5}, {{0, Chain::ground(), 3.}}, 0, 0.1);
+    Coupling   coupling;
+    RunContext context(std::filesystem::temp_directory_path());
+    GivenParameters::read(coupling, {});
+    first.setup();
+    second.setup();
+    coupling.setup(first, second, context);
+    EXPECT_DOUBLE_EQ(coupling.advance(1.), 0.5);
+    EXPECT_EQ(coupling.balance().n_substeps, 11u); // 0.1, then 0.4 in steps of 0.04
+    EXPECT_DOUBLE_EQ(coupling.advance(0.3), 0.3);
+    EXPECT_EQ(coupling.balance().n_substeps, 8u);
+    EXPECT_EQ(first.n_ended_steps(), 2u);
+    EXPECT_EQ(second.n_ended_steps(), 19u);
+  }
+
+
+  TEST(GravouilCombescure, MasslessCopiesMoveWithTheirOwners)
+  {
+    for (const double mass : {1., 1e-3, 1e-9})
+      for (const bool with_random_steps : {false, true})
+        {
+          Pair pair = two_bars(40, 2, true, 0, mass);
+          pair.first.set_adopts(true);
+          const Outcome outcome = run_bars(pair, 40, with_random_steps);
+          EXPECT_EQ(pair.coupling.balance().n_substeps, 1u);
+          EXPECT_NEAR(outcome.energy, 1, 2e-3);
+          EXPECT_LT(outcome.largest_energy, 1.002);
+          EXPECT_LT(std::abs(outcome.interface_energy), 1e-14);
+          EXPECT_EQ(outcome.gap, 0.);
+          EXPECT_LT(pair.coupling.balance().displacement_drift, 1e-10);
+          EXPECT_EQ(pair.first.wet_surface().position[0][0], pair.second.wet_surface().position[0][0]);
+          EXPECT_EQ(pair.first.wet_surface().acceleration[0][0], pair.second.wet_surface().acceleration[0][0]);
+        }
+  }
+
+
+  // Subcycling of copies, only where it is asked for.
+  TEST(GravouilCombescure, CopiesCanBeSubcycled)
+  {
+    for (const double mass : {1., 1e-9})
+      for (const bool first_is_coarse : {true, false})
+        for (const unsigned int m : {2u, 5u, 10u})
+          {
+            Pair pair = two_bars(40, m, first_is_coarse, m, mass);
+            pair.first.set_adopts(true);
+            const Outcome outcome = run_bars(pair, 40);
+            EXPECT_NEAR(outcome.energy, 1, 3e-4);
+            EXPECT_LT(outcome.largest_energy, 1.001);
+          }
+  }
+
+
+  // A massless node under load at time 0: 1e9 m/s^2 if it were left to itself.
+  TEST(GravouilCombescure, FirstStepStartsFromBalancedAccelerations)
+  {
+    Pair pair(point_mass(1e-9, 1, 0.01), point_mass(1, 1, 0.01));
+    pair.first.displacement()[0] = pair.second.displacement()[0] = 1;
+    pair.first.set_adopts(true);
+    pair.start();
+    double time = 0;
+    for (unsigned int i = 0; i < 3; ++i)
+      {
+        time += pair.coupling.advance(0.01);
+        EXPECT_NEAR(pair.first.tied_displacement(), std::cos(std::sqrt(2.) * time), 1e-7);
+        EXPECT_NEAR(pair.coupling.interface_force()[0], -std::cos(std::sqrt(2.) * time), 1e-4);
+      }
+  }
+
+
+  TEST(GravouilCombescure, HeldNodesHoldTheirPartners)
+  {
+    Pair pair(bar(-1, 0, 10, 1, 1, true, 0.05), point_mass(std::numeric_limits<double>::infinity(), 1, 0.05));
+    for (unsigned int i = 0; i < 9; ++i)
+      pair.first.displacement()[i] = 0.01 * i;
+    pair.first.setup();
+    pair.second.setup();
+    pair.coupling.setup(pair.first, pair.second, *pair.context);
+    for (unsigned int i = 0; i < 200; ++i)
+      pair.coupling.advance(1.);
+    EXPECT_NEAR(pair.first.tied_displacement(), 0, 1e-12);
+    EXPECT_EQ(pair.second.tied_displacement(), 0.);
+    EXPECT_EQ(pair.coupling.interface_force()[1], 0.); // y is held on both sides
+    EXPECT_NE(pair.coupling.interface_force()[0], 0.);
+  }
+
+
+  TEST(GravouilCombescure, ResumedRunHasTheSameBits)
+  {
+    Pair whole = two_bars(20, 5, true, 5), resumed = two_bars(20, 5, true, 5);
+    whole.start();
+    for (unsigned int i = 0; i < 10; ++i)
+      whole.coupling.advance(1.);
+    std::stringstream checkpoint;
+    whole.first.save(checkpoint);
+    whole.second.save(checkpoint);
+    whole.coupling.save(checkpoint);
+    resumed.start();
+    resumed.first.load(checkpoint);
+    resumed.second.load(checkpoint);
+    resumed.coupling.load(checkpoint);
+    for (Pair *pair : {&whole, &resumed})
+      for (unsigned int i = 0; i < 10; ++i)
+        pair->coupling.advance(1.);
+    EXPECT_EQ(whole.first.displacement(), resumed.first.displacement());
+    EXPECT_EQ(whole.second.velocity(), resumed.second.velocity());
+    EXPECT_EQ(whole.coupling.balance().energy, resumed.coupling.balance().energy);
+  }
+
+
+  TEST(GravouilCombescure, RefusesNodesThatDoNotMatch)
+  {
+    Pair pair(point_mass(1, 1, 0.1), point_mass(1, 1, 0.1));
+    pair.first.displacement()[0] = 1e-3;
+    EXPECT_THROW(pair.start(), InputError);
+    EXPECT_THROW(GivenParameters::read(pair.coupling, {{"Interface", "non matching"}}), InputError);
+  }
+
+
+  TEST(GravouilCombescure, StopsWhenABoundIsLost)
+  {
+    Pair pair(point_mass(1, 1, 0.1), point_mass(1, 1, 0.1));
+    pair.start();
+    pair.second.set_stable_time_step(std::numeric_limits<double>::quiet_NaN());
+    EXPECT_THROW(pair.coupling.advance(1.), BreakdownError);
+  }
+} // namespace
