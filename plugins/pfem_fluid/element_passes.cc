@@ -183,6 +183,75 @@ namespace Breakwater
       }
 
       template <int dim>
+      void velocity_gradients(const unsigned int *cells, const std::size_t n_cells, const Quad *xp, const Quad *v,
+                              Quad *gradient)
+      {
+        const V4 share = all(1. / (dim + 1));
+        for (std::size_t c = 0; c < n_cells; ++c)
+          {
+            const unsigned int *cell = cells + c * (dim + 1);
+            V4                  x[dim + 1], area[dim + 1], row[3] = {all(0.), all(0.), all(0.)};
+            for (int a = 0; a <= dim; ++a)
+              x[a] = load(xp[cell[a]]);
+            geometry<dim>(x, area);
+            const V4 v0 = load(v[cell[0]]);
+            for (int a = 1; a <= dim; ++a)
+              {
+                const V4 dv = (load(v[cell[a]]) - v0) * share;
+                row[0] += spread<0>(dv) * area[a];
+                row[1] += spread<1>(dv) * area[a];
+                if constexpr (dim == 3)
+                  row[2] += spread<2>(dv) * area[a];
+              }
+            for (int a = 0; a <= dim; ++a)
+              for (int d = 0; d < dim; ++d)
+                {
+                  Quad &sum = gradient[cell[a] * dim + d];
+                  store(sum, load(sum) + row[d]);
+                }
+          }
+      }
+
+      template <int dim>
+      void filter_impulses(const unsigned int *cells, const std::size_t n_cells, const double weight, const Quad *xp,
+                           const Quad *v, const Quad *gradient, const double *node_density, Quad *impulse)
+      {
+        constexpr int n     = dim + 1;
+        const V4      share = all(1. / n);
+        for (std::size_t c = 0; c < n_cells; ++c)
+          {
+            const unsigned int *cell    = cells + c * n;
+            double              density = node_density[cell[0]];
+            for (int a = 1; a < n; ++a)
+              density = node_density[cell[a]] < density ? node_density[cell[a]] : density;
+            if (!(density > 0))
+              continue;
+            V4 x[n], u[n], x_mean = all(0.), u_mean = all(0.), row[4] = {all(0.), all(0.), all(0.), all(0.)};
+            for (int a = 0; a < n; ++a)
+              {
+                x[a] = load(xp[cell[a]]);
+                u[a] = load(v[cell[a]]);
+                x_mean += x[a];
+                u_mean += u[a];
+                for (int d = 0; d < dim; ++d)
+                  row[d] += load(gradient[cell[a] * dim + d]);
+              }
+            const V4 mass = all(-weight * density * __builtin_fabs(volume_of<dim>(x)) / n);
+            x_mean *= share;
+            u_mean *= share;
+            for (int d = 0; d < dim; ++d)
+              row[d] *= share;
+            for (int a = 0; a < n; ++a)
+              {
+                const V4 dx     = x[a] - x_mean; // the fourth lane of the rows is zero
+                const V4 linear = lane_sums(row[0] * dx, row[1] * dx, row[2] * dx, all(0.));
+                Quad    &sum    = impulse[cell[a]];
+                store(sum, load(sum) + mass * (u[a] - u_mean - linear));
+              }
+          }
+      }
+
+      template <int dim>
       double largest_relative_displacement(const unsigned int *cells, const std::size_t n_cells, const Quad *x,
                                            const Quad *x0)
       {
@@ -215,6 +284,8 @@ namespace Breakwater
       return {volumes<dim>,
               {{forces<dim, false, false>, forces<dim, false, true>},
                {forces<dim, true, false>, forces<dim, true, true>}},
+              velocity_gradients<dim>,
+              filter_impulses<dim>,
               largest_relative_displacement<dim>};
     }
 

@@ -30,6 +30,12 @@ namespace Breakwater
     /// By [viscous][density diffusion].
     void (*forces[2][2])(const unsigned int *cells, std::size_t n_cells, const ForceEffects &effects, const Quad *xp,
                          const Quad *v, const Quad *density_slope, Quad *force);
+    /// Adds to gradient [node][dim rows] the integrals of grad v_d: sum over cells of V_c grad v_d / (dim + 1).
+    void (*velocity_gradients)(const unsigned int *cells, std::size_t n_cells, const Quad *xp, const Quad *v,
+                               Quad *gradient);
+    /// Adds the impulses of the velocity filter, see filter_impulses() in kernels.h.
+    void (*filter_impulses)(const unsigned int *cells, std::size_t n_cells, double weight, const Quad *xp, const Quad *v,
+                            const Quad *gradient, const double *node_density, Quad *impulse);
     double (*largest_relative_displacement)(const unsigned int *cells, std::size_t n_cells, const Quad *x,
                                             const Quad *x0);
   };

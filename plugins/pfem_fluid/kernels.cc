@@ -41,6 +41,29 @@ namespace Breakwater
 
 
   template <int dim>
+  void filter_impulses(const std::vector<typename SimplexMesh<dim>::Cell> &cells, const double weight,
+                       const std::vector<Quad> &xp, const std::vector<Quad> &v, const std::vector<double> &volume,
+                       const double least_volume, const std::vector<double> &node_density, std::vector<Quad> &impulse)
+  {
+    impulse.assign(xp.size(), Quad());
+    if (cells.empty())
+      return;
+    std::vector<Quad> gradient(xp.size() * dim);
+    passes<dim>().velocity_gradients(cells.front().data(), cells.size(), xp.data(), v.data(), gradient.data());
+    for (std::size_t i = 0; i < xp.size(); ++i)
+      for (int d = 0; d < dim; ++d)
+        {
+          const double scale = 1. / std::max(volume[i], least_volume);
+          for (int e = 0; e < dim; ++e)
+            gradient[i * dim + d][e] *= scale;
+          gradient[i * dim + d][3] = 0;
+        }
+    passes<dim>().filter_impulses(cells.front().data(), cells.size(), weight, xp.data(), v.data(), gradient.data(),
+                                  node_density.data(), impulse.data());
+  }
+
+
+  template <int dim>
   double largest_relative_displacement(const std::vector<typename SimplexMesh<dim>::Cell> &cells,
                                        const std::vector<Quad> &x, const std::vector<Quad> &x0)
   {
@@ -50,18 +73,17 @@ namespace Breakwater
   }
 
 
-  template void compute_volumes<2>(const std::vector<SimplexMesh<2>::Cell> &, const std::vector<Quad> &,
-                                   std::vector<double> &);
-  template void compute_volumes<3>(const std::vector<SimplexMesh<3>::Cell> &, const std::vector<Quad> &,
-                                   std::vector<double> &);
-  template void compute_forces<2>(const std::vector<SimplexMesh<2>::Cell> &, const ForceEffects &,
-                                  const std::vector<Quad> &, const std::vector<Quad> &, const std::vector<Quad> &,
-                                  std::vector<Quad> &);
-  template void compute_forces<3>(const std::vector<SimplexMesh<3>::Cell> &, const ForceEffects &,
-                                  const std::vector<Quad> &, const std::vector<Quad> &, const std::vector<Quad> &,
-                                  std::vector<Quad> &);
-  template double largest_relative_displacement<2>(const std::vector<SimplexMesh<2>::Cell> &,
-                                                   const std::vector<Quad> &, const std::vector<Quad> &);
-  template double largest_relative_displacement<3>(const std::vector<SimplexMesh<3>::Cell> &,
-                                                   const std::vector<Quad> &, const std::vector<Quad> &);
+#define BREAKWATER_INSTANTIATE(dim)                                                                                    \
+  template void   compute_volumes<dim>(const std::vector<SimplexMesh<dim>::Cell> &, const std::vector<Quad> &,         \
+                                     std::vector<double> &);                                                           \
+  template void   compute_forces<dim>(const std::vector<SimplexMesh<dim>::Cell> &, const ForceEffects &,               \
+                                    const std::vector<Quad> &, const std::vector<Quad> &, const std::vector<Quad> &,   \
+                                    std::vector<Quad> &);                                                              \
+  template void   filter_impulses<dim>(const std::vector<SimplexMesh<dim>::Cell> &, double, const std::vector<Quad> &, \
+                                     const std::vector<Quad> &, const std::vector<double> &, double,                   \
+                                     const std::vector<double> &, std::vector<Quad> &);                                \
+  template double largest_relative_displacement<dim>(const std::vector<SimplexMesh<dim>::Cell> &,                      \
+                                                     const std::vector<Quad> &, const std::vector<Quad> &);
+  BREAKWATER_INSTANTIATE(2)
+  BREAKWATER_INSTANTIATE(3)
 } // namespace Breakwater

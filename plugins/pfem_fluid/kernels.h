@@ -25,6 +25,16 @@ namespace Breakwater
                       const std::vector<Quad> &xp, const std::vector<Quad> &v, const std::vector<Quad> &density_slope,
                       std::vector<Quad> &force);
 
+  /// Impulses [kg m/s] that take a part `weight` of the velocity's deviation from a locally linear field away:
+  ///   -weight sum_c m_c [v_a - v_c - G_c (x_a - x_c)],   m_c = |V_c| / (dim + 1) times the cell's least node_density,
+  /// with the means over the cell written v_c and x_c, and G_c that of the recovered nodal velocity gradients. In
+  /// every cell they add up to zero, so momentum is exact; linear fields are untouched; nothing is divided by the
+  /// volume of a cell. A node density of zero leaves all cells of that node out.
+  template <int dim>
+  void filter_impulses(const std::vector<typename SimplexMesh<dim>::Cell> &cells, double weight,
+                       const std::vector<Quad> &xp, const std::vector<Quad> &v, const std::vector<double> &volume,
+                       double least_volume, const std::vector<double> &node_density, std::vector<Quad> &impulse);
+
   /// Largest displacement [m] of a node against the mean of one of its cells, of displacements x - x0.
   template <int dim>
   double largest_relative_displacement(const std::vector<typename SimplexMesh<dim>::Cell> &cells,

@@ -3,7 +3,6 @@
 #include "volume_conservation.h"
 
 #include <breakwater/base/exceptions.h>
-#include <breakwater/mesh/quality.h>
 
 #include <algorithm>
 #include <cmath>
@@ -323,60 +322,14 @@ namespace Breakwater
   template <int dim>
   void PfemFluid<dim>::filter_velocity()
   {
-    // v <- v - w (deviation from the locally linear field), momentum kept exactly: in every cell the impulses add up
-    // to zero. No division by a cell's volume, so slivers do no harm.
-    const double      least_volume = 0.1 * power(parameters_.spacing, dim);
-    const auto       &cells        = mesh_.cells;
-    std::vector<Quad> gradient(nodes_.n * dim); // rows d: grad v_d
-    std::vector<Simplex<dim>> area(cells.size());
-    for (std::size_t c = 0; c < cells.size(); ++c)
-      {
-        Simplex<dim> x;
-        for (int a = 0; a <= dim; ++a)
-          x[a] = nodes_.position(cells[c][a]);
-        area[c] = area_vectors(x);
-        for (int d = 0; d < dim; ++d)
-          for (int e = 0; e < dim; ++e)
-            {
-              double sum = 0;
-              for (int a = 0; a <= dim; ++a)
-                sum += nodes_.v[cells[c][a]][d] * area[c][a][e];
-              for (int a = 0; a <= dim; ++a)
-                gradient[cells[c][a] * dim + d][e] += sum / (dim + 1);
-            }
-      }
-    for (std::size_t i = 0; i < nodes_.n; ++i)
-      for (int d = 0; d < dim; ++d)
-        for (int e = 0; e < dim; ++e)
-          gradient[i * dim + d][e] /= std::max(nodes_.volume[i], least_volume);
-
-    std::vector<Quad> impulse(nodes_.n);
-    for (std::size_t c = 0; c < cells.size(); ++c)
-      {
-        const auto &cell = cells[c];
-        if (std::any_of(cell.begin(), cell.end(), [&](const unsigned int i) { return i < nodes_.n_interface; }))
-          continue;
-        Vec<dim> x_mean, v_mean, row_mean[dim];
-        double   volume = 0, density = std::numeric_limits<double>::infinity();
-        for (int a = 0; a <= dim; ++a)
-          {
-            const unsigned int i = cell[a];
-            x_mean += nodes_.position(i) * (1. / (dim + 1));
-            v_mean += nodes_.velocity(i) * (1. / (dim + 1));
-            for (int d = 0; d < dim; ++d)
-              row_mean[d] += FluidNodes<dim>::vec(gradient[i * dim + d]) * (1. / (dim + 1));
-            density = std::min(density, nodes_.mass[i] / std::max(nodes_.volume[i], least_volume));
-            volume += nodes_.xp[i][0] * area[c][a][0]; // V = sum x A_x, for each coordinate
-          }
-        const double mass = parameters_.filter_weight * density * std::abs(volume) / (dim + 1);
-        for (int a = 0; a <= dim; ++a)
-          {
-            const unsigned int i  = cell[a];
-            const Vec<dim>     dx = nodes_.position(i) - x_mean;
-            for (int d = 0; d < dim; ++d)
-              impulse[i][d] -= mass * (nodes_.v[i][d] - v_mean[d] - dot(row_mean[d], dx));
-          }
-      }
+    // Interface nodes and their cells take no part: their density is left at zero.
+    const double        least_volume = 0.1 * power(parameters_.spacing, dim);
+    std::vector<double> node_density(nodes_.n, 0.);
+    for (std::size_t i = nodes_.n_interface; i < nodes_.n; ++i)
+      node_density[i] = nodes_.mass[i] / std::max(nodes_.volume[i], least_volume);
+    std::vector<Quad> impulse;
+    filter_impulses<dim>(mesh_.cells, parameters_.filter_weight, nodes_.xp, nodes_.v, nodes_.volume, least_volume,
+                         node_density, impulse);
     for (std::size_t i = nodes_.n_interface; i < nodes_.n; ++i)
       if (nodes_.has_cells[i])
         {
