@@ -16,6 +16,8 @@ namespace Breakwater
   {
     using Path = ParameterText::Path;
 
+    const std::string any_text = "any text";
+
     std::string joined(const Path &path)
     {
       std::string text;
@@ -246,7 +248,7 @@ namespace Breakwater
 
       void add(const std::string &name, std::string &member, const std::string &documentation) override
       {
-        declare(name, member, documentation, dealii::Patterns::Anything(), "any text",
+        declare(name, member, documentation, dealii::Patterns::Anything(), any_text,
                 [&member](const std::string &value) {
                   member = value;
                 });
@@ -394,7 +396,8 @@ namespace Breakwater
         const std::string default_value = defaults_.emplace(key, value_now).first->second;
         if (!known_entries_.emplace(key, name).second)
           throw std::logic_error(section_text(path_) + ", the entry \"" + name + "\" is declared twice");
-        handler_.declare_entry(name, default_value, pattern, documentation);
+        handler_.declare_entry(name, default_value, pattern,
+                               documentation + (allowed == any_text ? "" : " Allowed: " + allowed + "."));
 
         const ParameterText::Entry *entry = text_.find(path_, name);
         if (entry == nullptr)

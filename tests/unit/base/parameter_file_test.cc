@@ -284,7 +284,7 @@ TEST(ParameterFile, PrintsWhatItReadsBack)
   Scene             printed;
   std::ostringstream stream;
   print_parameters(stream, printed, laws(), text_of(source));
-  EXPECT_NE(stream.str().find("Stiffness [N/m]."), std::string::npos) << stream.str();
+  EXPECT_NE(stream.str().find("Stiffness [N/m]. Allowed: a number > 0."), std::string::npos) << stream.str();
   EXPECT_NE(stream.str().find("default: 0.1"), std::string::npos) << stream.str();
 
   const Scene again = scene_of(stream.str());
