@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <limits>
 
 // Packs are passed between inlined functions of this file alone: the note on their calling convention is void.
@@ -117,9 +118,9 @@ namespace Breakwater
                                                                std::vector<Vec<dim>>       &force) const override;
       double                                strain_energy(const std::vector<Vec<dim>> &displacement) const override;
       std::vector<double>                   von_mises_stress(const std::vector<Vec<dim>> &displacement) const override;
-      std::vector<double>                   initial_directions() const override;
-      double              bound_eigenvalue(const std::vector<Vec<dim>> &displacement, std::vector<double> &directions,
-                                           unsigned int n_iterations) const override;
+      CellEigenvalues                       start_eigenvalues() const override;
+      double              bound_eigenvalue(const std::vector<Vec<dim>> &displacement, CellEigenvalues &eigenvalues,
+                                           double tolerance) const override;
       std::vector<double> lumped_mass() const override;
 
     private:
@@ -138,12 +139,19 @@ namespace Breakwater
         Pack         inverse_jacobian[n_nodes][dim][dim]; ///< [point]
         Pack         point_volume[n_nodes];
         Pack         node_volume[n_nodes];
+        Pack         size;                 ///< volume to the power 1/dim [m]
+        Pack         inverse_spacing[dim]; ///< of neighbouring nodes in each direction of the cell [1/m]
       };
 
       void gather(const Batch &batch, const std::vector<Vec<dim>> &values, NodeValues &local) const;
       void gradients(const Batch &batch, const NodeValues &u, PointTensors &gradient) const;
       void stresses(const PointTensors &gradient, PointTensors &stress) const;
       void divergence(const Batch &batch, const PointTensors &stress, NodeValues &force) const;
+
+      Pack largest_change_of_gradient(const Batch &batch, const NodeValues &u, const NodeValues &reference) const;
+      void apply_tangent(const Batch &batch, const NodeValues &u, const NodeValues &x, NodeValues &result) const;
+      Pack improve_eigenvector(const Batch &batch, const NodeValues &u, NodeValues &x) const;
+      Pack product(const Batch &batch, const NodeValues &x, const NodeValues &y) const;
 
       static void to_material(const PointTensors &tensors, MaterialTensors &values);
 
@@ -176,6 +184,17 @@ namespace Breakwater
                   for (int k = 0; k < dim; ++k)
                     for (int j = 0; j < dim; ++j)
                       batch.inverse_jacobian[i][k][j][lane] = mesh.inverse_jacobian[(index * dim + k) * dim + j];
+                }
+              double volume = 0;
+              for (int i = 0; i < n_nodes; ++i)
+                volume += batch.node_volume[i][lane];
+              batch.size[lane] = std::pow(volume, 1. / dim);
+              for (int k = 0; k < dim; ++k)
+                {
+                  double square = 0;
+                  for (int j = 0; j < dim; ++j)
+                    square += std::pow(batch.inverse_jacobian[n_nodes / 2][k][j][lane], 2);
+                  batch.inverse_spacing[k][lane] = (n - 1) * std::sqrt(square);
                 }
             }
         }
@@ -380,77 +399,229 @@ namespace Breakwater
     }
 
 
-    /// Every value is different, so that no mode of a cell is left out; each fits in [-1, 1].
+    /// By differences of neighbouring nodes along the directions of the cell.
     template <int dim, int n>
-    std::vector<double> TensorCellKernel<dim, n>::initial_directions() const
+    Pack TensorCellKernel<dim, n>::largest_change_of_gradient(const Batch &batch, const NodeValues &u,
+                                                              const NodeValues &reference) const
     {
-      constexpr std::size_t n_values = dim * n_nodes * n_lanes;
-      std::vector<double>   directions(batches_.size() * n_values);
-      for (std::size_t i = 0; i < directions.size(); ++i)
-        directions[i] = std::sin(1. + 12.9898 * (i % n_values / n_lanes + 1.) * (i % n_values / n_lanes + 1.));
-      return directions;
+      Pack largest = {};
+      for (int direction = 0; direction < dim; ++direction)
+        {
+          const int stride = power(n, direction);
+          for (int outer = 0; outer < n_nodes; outer += n * stride)
+            for (int node = outer; node < outer + (n - 1) * stride; ++node)
+              for (int c = 0; c < dim; ++c)
+                {
+                  const Pack change =
+                    batch.inverse_spacing[direction] *
+                    ((u[c][node + stride] - reference[c][node + stride]) - (u[c][node] - reference[c][node]));
+                  largest = change > largest ? change : largest;
+                  largest = -change > largest ? -change : largest;
+                }
+        }
+      return largest;
+    }
+
+
+    /// Scalar product with the lumped mass.
+    template <int dim, int n>
+    inline Pack TensorCellKernel<dim, n>::product(const Batch &batch, const NodeValues &x, const NodeValues &y) const
+    {
+      Pack sum = {};
+      for (int i = 0; i < n_nodes; ++i)
+        {
+          Pack dot = x[0][i] * y[0][i];
+          for (int c = 1; c < dim; ++c)
+            dot += x[c][i] * y[c][i];
+          sum += batch.node_volume[i] * dot;
+        }
+      return material_.density() * sum;
+    }
+
+
+    /// result = M^-1 K(u) x, by central differences over a 1e-6 of the cell's size: their error is the square of that.
+    template <int dim, int n>
+    void TensorCellKernel<dim, n>::apply_tangent(const Batch &batch, const NodeValues &u, const NodeValues &x,
+                                                 NodeValues &result) const
+    {
+      Pack largest = {};
+      for (int c = 0; c < dim; ++c)
+        for (int i = 0; i < n_nodes; ++i)
+          {
+            largest = x[c][i] > largest ? x[c][i] : largest;
+            largest = -x[c][i] > largest ? -x[c][i] : largest;
+          }
+      const Pack step = 1e-6 * batch.size / (largest > 0. ? largest : largest + 1.);
+
+      NodeValues   moved, minus;
+      PointTensors gradient, stress;
+      for (const double sign : {-1., 1.})
+        {
+          for (int c = 0; c < dim; ++c)
+            for (int i = 0; i < n_nodes; ++i)
+              moved[c][i] = u[c][i] + sign * step * x[c][i];
+          gradients(batch, moved, gradient);
+          stresses(gradient, stress);
+          divergence(batch, stress, sign < 0 ? minus : result);
+        }
+      for (int c = 0; c < dim; ++c)
+        for (int i = 0; i < n_nodes; ++i)
+          result[c][i] = (result[c][i] - minus[c][i]) * (0.5 / material_.density()) / (step * batch.node_volume[i]);
+    }
+
+
+    /// Largest eigenvalue of a symmetric tridiagonal matrix by bisection, and its eigenvector.
+    template <int size>
+    double largest_eigenvalue(const double (&diagonal)[size], const double (&beside)[size], double (&vector)[size])
+    {
+      double lower = diagonal[0], upper = 0;
+      for (int i = 0; i < size; ++i)
+        upper = std::max(upper, diagonal[i] + beside[i] + (i > 0 ? beside[i - 1] : 0.));
+      for (int iteration = 0; iteration < 50; ++iteration)
+        {
+          // No eigenvalue is above the middle if all pivots of T - middle are negative.
+          const double middle   = 0.5 * (lower + upper);
+          double       pivot    = diagonal[0] - middle;
+          bool         is_above = pivot < 0;
+          for (int i = 1; i < size && is_above; ++i)
+            {
+              pivot    = diagonal[i] - middle - beside[i - 1] * beside[i - 1] / pivot;
+              is_above = pivot < 0;
+            }
+          (is_above ? upper : lower) = middle;
+        }
+      vector[0] = 1;
+      for (int i = 0; i + 1 < size; ++i)
+        {
+          const double next = (upper - diagonal[i]) * vector[i] - (i > 0 ? beside[i - 1] * vector[i - 1] : 0.);
+          vector[i + 1]     = beside[i] > 0 ? next / beside[i] : 0.;
+        }
+      return upper;
+    }
+
+
+    /// A few steps of Lanczos' method: x becomes the best eigenvector of the largest eigenvalue, which is returned.
+    template <int dim, int n>
+    Pack TensorCellKernel<dim, n>::improve_eigenvector(const Batch &batch, const NodeValues &u, NodeValues &x) const
+    {
+      constexpr int n_steps = 6;
+      NodeValues    basis[n_steps], w;
+      Pack          diagonal[n_steps], beside[n_steps];
+      const auto    assign_scaled = [](const NodeValues &from, const Pack &factor, NodeValues &to) {
+        for (int c = 0; c < dim; ++c)
+          for (int i = 0; i < n_nodes; ++i)
+            to[c][i] = factor * from[c][i];
+      };
+      const auto square_root = [](Pack value) {
+        for (int lane = 0; lane < n_lanes; ++lane)
+          value[lane] = std::sqrt(value[lane]);
+        return value;
+      };
+
+      assign_scaled(x, 1. / square_root(product(batch, x, x)), basis[0]);
+      for (int step = 0; step < n_steps; ++step)
+        {
+          apply_tangent(batch, u, basis[step], w);
+          diagonal[step] = product(batch, w, basis[step]);
+          for (int other = 0; other <= step; ++other)
+            {
+              const Pack share = product(batch, w, basis[other]);
+              for (int c = 0; c < dim; ++c)
+                for (int i = 0; i < n_nodes; ++i)
+                  w[c][i] -= share * basis[other][c][i];
+            }
+          // The space is exhausted where what is left is noise.
+          const Pack length = square_root(product(batch, w, w));
+          beside[step]      = length > 1e-8 * diagonal[0] ? length : 0. * length;
+          if (step + 1 < n_steps)
+            assign_scaled(w, beside[step] > 0. ? 1. / length : 0. * length, basis[step + 1]);
+        }
+
+      Pack eigenvalue, share[n_steps];
+      for (int lane = 0; lane < n_lanes; ++lane)
+        {
+          double a[n_steps], b[n_steps], vector[n_steps];
+          for (int step = 0; step < n_steps; ++step)
+            {
+              a[step] = diagonal[step][lane];
+              b[step] = step + 1 < n_steps ? beside[step][lane] : 0.;
+            }
+          eigenvalue[lane] = largest_eigenvalue(a, b, vector);
+          for (int step = 0; step < n_steps; ++step)
+            share[step][lane] = vector[step];
+        }
+      assign_scaled(basis[0], share[0], x);
+      for (int step = 1; step < n_steps; ++step)
+        for (int c = 0; c < dim; ++c)
+          for (int i = 0; i < n_nodes; ++i)
+            x[c][i] += share[step] * basis[step][c][i];
+      return eigenvalue;
+    }
+
+
+    template <int dim, int n>
+    CellEigenvalues TensorCellKernel<dim, n>::start_eigenvalues() const
+    {
+      const std::size_t n_values = batches_.size() * sizeof(NodeValues) / sizeof(double);
+      CellEigenvalues   eigenvalues;
+      eigenvalues.eigenvalue.assign(batches_.size() * n_lanes, 0.);
+      eigenvalues.direction.assign(n_values, 0.);
+      eigenvalues.displacement.assign(n_values, 0.);
+      return eigenvalues;
     }
 
 
     template <int dim, int n>
     double TensorCellKernel<dim, n>::bound_eigenvalue(const std::vector<Vec<dim>> &displacement,
-                                                      std::vector<double>         &directions,
-                                                      const unsigned int           n_iterations) const
+                                                      CellEigenvalues &eigenvalues, const double tolerance) const
     {
-      constexpr std::size_t n_values = dim * n_nodes * n_lanes;
-      double                largest  = 0;
+      double largest = 0;
       for (std::size_t b = 0; b < batches_.size(); ++b)
         {
-          const Batch &batch = batches_[b];
-          NodeValues   u, x;
+          const Batch      &batch = batches_[b];
+          const std::size_t first = b * sizeof(NodeValues) / sizeof(double);
+          NodeValues        u, reference;
           gather(batch, displacement, u);
-          for (std::size_t i = 0; i < n_values; ++i)
-            x[i / n_lanes / n_nodes][i / n_lanes % n_nodes][i % n_lanes] = directions[b * n_values + i];
-
-          Pack volume = {};
-          for (int i = 0; i < n_nodes; ++i)
-            volume += batch.node_volume[i];
-          // The error of central differences is the square of this fraction of a cell's size.
-          const double step = 1e-6 * std::pow(volume[0], 1. / dim);
-
-          Pack eigenvalue = {};
-          for (unsigned int iteration = 0; iteration < n_iterations; ++iteration)
+          std::memcpy(reference, &eigenvalues.displacement[first], sizeof(NodeValues));
+          const Pack change      = largest_change_of_gradient(batch, u, reference);
+          bool       has_changed = false;
+          for (int lane = 0; lane < n_lanes; ++lane)
+            has_changed =
+              has_changed || !(change[lane] <= tolerance) || eigenvalues.eigenvalue[b * n_lanes + lane] == 0;
+          if (has_changed)
             {
-              NodeValues   moved, force_plus, force_minus;
-              PointTensors gradient, stress;
-              for (const double sign : {1., -1.})
-                {
-                  for (int d = 0; d < dim; ++d)
-                    for (int i = 0; i < n_nodes; ++i)
-                      moved[d][i] = u[d][i] + (sign * step) * x[d][i];
-                  gradients(batch, moved, gradient);
-                  stresses(gradient, stress);
-                  divergence(batch, stress, sign > 0 ? force_plus : force_minus);
-                }
-              Pack stiffness = {}, inertia = {}, length = {};
-              for (int d = 0; d < dim; ++d)
+              // A part of every mode is mixed in, so that another one that has become the largest is found.
+              NodeValues x;
+              std::memcpy(x, &eigenvalues.direction[first], sizeof(NodeValues));
+              const Pack length     = product(batch, x, x);
+              Pack       batch_mass = {};
+              for (int i = 0; i < n_nodes; ++i)
+                batch_mass += material_.density() * batch.node_volume[i];
+              for (int c = 0; c < dim; ++c)
                 for (int i = 0; i < n_nodes; ++i)
                   {
-                    const Pack kx = (force_plus[d][i] - force_minus[d][i]) * (0.5 / step);
-                    const Pack m  = material_.density() * batch.node_volume[i];
-                    stiffness += x[d][i] * kx;
-                    inertia += x[d][i] * m * x[d][i];
-                    x[d][i] = kx / m;
+                    const double k = c * n_nodes + i + 1;
                     for (int lane = 0; lane < n_lanes; ++lane)
-                      length[lane] = std::max(length[lane], std::abs(x[d][i][lane]));
+                      x[c][i][lane] =
+                        (length[lane] > 0 ? x[c][i][lane] * std::sqrt(batch_mass[lane] / length[lane]) : 0.) +
+                        0.1 * std::sin(1. + 12.9898 * k * k);
                   }
-              eigenvalue = stiffness / inertia;
-              for (int lane = 0; lane < n_lanes; ++lane)
-                length[lane] = length[lane] > 0 ? length[lane] : 1.;
-              for (int d = 0; d < dim; ++d)
-                for (int i = 0; i < n_nodes; ++i)
-                  x[d][i] /= length;
+              Pack eigenvalue = {};
+              bool is_rising  = true;
+              for (unsigned int round = 0; round < 50 && is_rising; ++round)
+                {
+                  const Pack last = eigenvalue;
+                  eigenvalue      = improve_eigenvector(batch, u, x);
+                  is_rising       = false;
+                  for (int lane = 0; lane < n_lanes; ++lane)
+                    is_rising = is_rising || eigenvalue[lane] > 1.002 * last[lane];
+                }
+              std::memcpy(&eigenvalues.direction[first], x, sizeof(NodeValues));
+              std::memcpy(&eigenvalues.displacement[first], u, sizeof(NodeValues));
+              std::memcpy(&eigenvalues.eigenvalue[b * n_lanes], &eigenvalue, sizeof(Pack));
             }
-
-          for (unsigned int lane = 0; lane < batch.n_cells; ++lane)
-            largest = std::max(largest, std::abs(eigenvalue[lane]));
-          for (std::size_t i = 0; i < n_values; ++i)
-            directions[b * n_values + i] = x[i / n_lanes / n_nodes][i / n_lanes % n_nodes][i % n_lanes];
+          for (int lane = 0; lane < n_lanes; ++lane)
+            largest = std::max(largest, eigenvalues.eigenvalue[b * n_lanes + lane]);
         }
       return largest;
     }

@@ -8,6 +8,14 @@
 
 namespace Breakwater
 {
+  /// The largest eigenvalues of the cells with what is needed to follow them, in the layout of a CellKernel.
+  struct CellEigenvalues
+  {
+    std::vector<double> eigenvalue;   ///< [1/s^2]
+    std::vector<double> direction;    ///< an eigenvector for each cell
+    std::vector<double> displacement; ///< of the nodes of each cell when it was last looked at [m]
+  };
+
   /// Forces, energies and stresses of the cells of a total-Lagrangian solid, by Gauss quadrature with sum factorisation.
   ///
   /// Cells are worked on in batches, a lane of the arithmetic for each. Displacements and forces are per node of the
@@ -36,16 +44,17 @@ namespace Breakwater
     /// of its Gauss point nearest to the node. In 2D from the stresses in the plane alone.
     virtual std::vector<double> von_mises_stress(const std::vector<Vec<dim>> &displacement) const = 0;
 
-    /// A start for bound_eigenvalue(): one direction of motion for each cell, in the kernel's own layout.
-    virtual std::vector<double> initial_directions() const = 0;
+    /// The eigenvalues of a state that has none yet.
+    virtual CellEigenvalues start_eigenvalues() const = 0;
 
     /// Bound on the largest eigenvalue [1/s^2] of M^-1 K, K the tangent stiffness at this displacement.
     ///
     /// The largest eigenvalue of the assembled pencil is not above the largest one of any single, free cell with its
-    /// own share of the lumped mass (Irons and Treharne, 1971). Those are found by power iteration, on the tangent by
-    /// central differences of the force. From `directions` of an earlier state few iterations are enough.
-    virtual double bound_eigenvalue(const std::vector<Vec<dim>> &displacement, std::vector<double> &directions,
-                                    unsigned int n_iterations) const = 0;
+    /// own share of the lumped mass (Irons and Treharne, 1971). Those are found by a few Lanczos steps for each cell,
+    /// on the tangent by central differences of the force, but only for cells whose displacement gradient has changed
+    /// by more than the tolerance since they were last looked at.
+    virtual double bound_eigenvalue(const std::vector<Vec<dim>> &displacement, CellEigenvalues &eigenvalues,
+                                    double tolerance) const = 0;
 
     /// Lumped masses of the nodes [kg], by Gauss-Lobatto quadrature.
     virtual std::vector<double> lumped_mass() const = 0;

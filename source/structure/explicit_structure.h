@@ -76,13 +76,12 @@ namespace Breakwater
     WetSurface<dim>                  wet_surface_;
     std::vector<unsigned int>        wet_nodes_; ///< [node of wet_surface_]
 
-    double                time_    = 0; ///< [s]
-    unsigned long         n_steps_ = 0;
+    double                time_ = 0;                  ///< [s]
     std::vector<Vec<dim>> displacement_;              ///< [m]
     std::vector<Vec<dim>> velocity_;                  ///< [m/s]
     std::vector<Vec<dim>> acceleration_;              ///< [m/s^2], link forces included
     Vec<dim>              link_force_;                ///< sum over the nodes at the last step [N]
-    std::vector<double>   directions_;                ///< of the power iteration, see CellKernel::bound_eigenvalue()
+    CellEigenvalues       eigenvalues_;               ///< of the cells, for the stable step
     double                largest_frequency_     = 0; ///< bound on it [rad/s]
     double                smallest_volume_ratio_ = 1; ///< of a cell at the last force evaluation
 

@@ -5,9 +5,34 @@
 #include <deal.II/base/function_parser.h>
 
 #include <cmath>
+#include <iostream>
 
 namespace Breakwater
 {
+  namespace
+  {
+    /// deal.II prints what muParser says on std::cerr before it throws; the exception is enough.
+    class SilentErrorStream
+    {
+    public:
+      SilentErrorStream()
+        : buffer_(std::cerr.rdbuf(nullptr))
+      {
+      }
+      ~SilentErrorStream()
+      {
+        std::cerr.rdbuf(buffer_);
+        std::cerr.clear();
+      }
+      SilentErrorStream(const SilentErrorStream &)            = delete;
+      SilentErrorStream &operator=(const SilentErrorStream &) = delete;
+
+    private:
+      std::streambuf *buffer_;
+    };
+  } // namespace
+
+
   template <int dim>
   std::vector<Vec<dim>> evaluate_expressions(const std::vector<std::string> &expressions,
                                              const std::vector<Vec<dim>>    &position)
@@ -19,6 +44,7 @@ namespace Breakwater
     for (int component = 0; component < dim; ++component)
       try
         {
+          const SilentErrorStream     silence;
           dealii::FunctionParser<dim> parser;
           parser.initialize(dim == 2 ? "x,y" : "x,y,z", expressions[component], {{"pi", 3.14159265358979323846}});
           for (std::size_t i = 0; i < position.size(); ++i)
