@@ -50,8 +50,13 @@ def surface(grid):
         grid = clean.GetOutput()
     extract = vtk.vtkDataSetSurfaceFilter()
     extract.SetInputData(grid)
-    extract.Update()
-    return extract.GetOutput()
+    normals = vtk.vtkPolyDataNormals()
+    normals.SetInputConnection(extract.GetOutputPort())
+    normals.ConsistencyOn()
+    normals.AutoOrientNormalsOn()
+    normals.SetFeatureAngle(50)
+    normals.Update()
+    return normals.GetOutput()
 
 
 def colours(first, last, n=256):
@@ -72,6 +77,9 @@ def actor(poly, table, low, high, opacity=1.0, edges=False):
     result.SetMapper(mapper)
     result.GetProperty().SetOpacity(opacity)
     result.GetProperty().SetPointSize(3)
+    result.GetProperty().SetAmbient(0.35)
+    result.GetProperty().SetDiffuse(0.7)
+    result.GetProperty().SetSpecular(0.15)
     if edges:
         result.GetProperty().EdgeVisibilityOn()
         result.GetProperty().SetEdgeColor(0.35, 0.2, 0.1)
@@ -100,6 +108,13 @@ def draw(files, bounds, size=(900, 620)):
     outline.GetProperty().SetColor(0.4, 0.4, 0.4)
     renderer.AddActor(outline)
 
+    renderer.RemoveAllLights()
+    for place, strength in (((0.5, 3, 3), 0.75), ((3, 2, 1), 0.35), ((-2, 3, 1), 0.35)):
+        light = vtk.vtkLight()
+        light.SetPosition(*place)
+        light.SetFocalPoint(0.3, 0.1, 0.07)
+        light.SetIntensity(strength)
+        renderer.AddLight(light)
     camera = renderer.GetActiveCamera()
     centre = [(bounds[2 * d] + bounds[2 * d + 1]) / 2 for d in range(3)]
     width = bounds[1] - bounds[0]

@@ -252,6 +252,61 @@ namespace Breakwater
       }
 
       template <int dim>
+      void exchange_requests(const unsigned int *cells, const std::size_t n_cells, const double *cell_weight,
+                             const double *excess_density, const double *active, Quad *request, double *given)
+      {
+        for (std::size_t c = 0; c < n_cells; ++c)
+          {
+            const unsigned int *cell = cells + c * (dim + 1);
+            V4                  e = all(0.), is_active = all(0.);
+            for (int a = 0; a <= dim; ++a)
+              {
+                e[a]         = excess_density[cell[a]];
+                is_active[a] = active[cell[a]];
+              }
+            const V4     weighted = e * is_active;
+            const double n        = is_active[0] + is_active[1] + is_active[2] + is_active[3];
+            const double sum      = weighted[0] + weighted[1] + weighted[2] + weighted[3];
+            const V4     z        = all(cell_weight[c]) * is_active * (all(n > 0 ? sum / n : 0.) - e);
+            store(request[c], z);
+            for (int a = 0; a <= dim; ++a)
+              given[cell[a]] += z[a] < 0 ? -z[a] : 0.;
+          }
+      }
+
+      template <int dim>
+      void exchange_transfers(const unsigned int *cells, const std::size_t n_cells, const Quad *request,
+                              const double *part, const Quad *v, Quad *received)
+      {
+        for (std::size_t c = 0; c < n_cells; ++c)
+          {
+            const unsigned int *cell    = cells + c * (dim + 1);
+            const V4            z       = load(request[c]);
+            const V4            donated = z < all(0.) ? -z : all(0.);
+            const V4            taken   = z > all(0.) ? z : all(0.);
+            V4                  total   = all(0.); // momentum that is given, and mass in the fourth lane
+            V4                  u[dim + 1];
+            double              scale = 1;
+            for (int a = 0; a <= dim; ++a)
+              {
+                u[a] = load(v[cell[a]]);
+                total += all(donated[a]) * u[a];
+                const double p = donated[a] > 0 ? part[cell[a]] : 1.;
+                scale          = p < scale ? p : scale;
+              }
+            if (!(total[3] > 0))
+              continue;
+            // Donors keep their velocity: what they give leaves with it. Receivers mix in the donors' mean velocity.
+            const V4 share = all(scale / total[3]) * total;
+            for (int a = 0; a <= dim; ++a)
+              {
+                Quad &sum = received[cell[a]];
+                store(sum, load(sum) + all(taken[a]) * share - all(scale * donated[a]) * u[a]);
+              }
+          }
+      }
+
+      template <int dim>
       double largest_relative_displacement(const unsigned int *cells, const std::size_t n_cells, const Quad *x,
                                            const Quad *x0)
       {
@@ -286,6 +341,8 @@ namespace Breakwater
                {forces<dim, true, false>, forces<dim, true, true>}},
               velocity_gradients<dim>,
               filter_impulses<dim>,
+              exchange_requests<dim>,
+              exchange_transfers<dim>,
               largest_relative_displacement<dim>};
     }
 

@@ -36,6 +36,14 @@ namespace Breakwater
     /// Adds the impulses of the velocity filter, see filter_impulses() in kernels.h.
     void (*filter_impulses)(const unsigned int *cells, std::size_t n_cells, double weight, const Quad *xp, const Quad *v,
                             const Quad *gradient, const double *node_density, Quad *impulse);
+    /// First half of a sweep of the mass exchange: `request` [cell][corner] is what each corner would get,
+    /// -weight (e_a - mean e) over the corners that take part (`active` 1, else 0); `given` adds up what nodes give.
+    void (*exchange_requests)(const unsigned int *cells, std::size_t n_cells, const double *cell_weight,
+                              const double *excess_density, const double *active, Quad *request, double *given);
+    /// Second half: moves the requested mass, scaled by the least `part` of the cell's donors. `v` has 1 in its fourth
+    /// component; `received` gets momentum, and mass in the fourth.
+    void (*exchange_transfers)(const unsigned int *cells, std::size_t n_cells, const Quad *request, const double *part,
+                               const Quad *v, Quad *received);
     double (*largest_relative_displacement)(const unsigned int *cells, std::size_t n_cells, const Quad *x,
                                             const Quad *x0);
   };

@@ -4,18 +4,14 @@
 
 namespace Breakwater
 {
-  namespace
+  template <int dim>
+  const ElementPasses &element_passes()
   {
-    /// The passes for the best instruction set that this machine has.
-    template <int dim>
-    const ElementPasses &passes()
-    {
-      static const ElementPasses chosen = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") ?
-                                            Avx2::element_passes<dim>() :
-                                            Baseline::element_passes<dim>();
-      return chosen;
-    }
-  } // namespace
+    static const ElementPasses chosen = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") ?
+                                          Avx2::element_passes<dim>() :
+                                          Baseline::element_passes<dim>();
+    return chosen;
+  }
 
 
   template <int dim>
@@ -24,7 +20,7 @@ namespace Breakwater
   {
     std::fill(volume.begin(), volume.end(), 0.);
     if (!cells.empty())
-      passes<dim>().volumes(cells.front().data(), cells.size(), xp.data(), volume.data());
+      element_passes<dim>().volumes(cells.front().data(), cells.size(), xp.data(), volume.data());
   }
 
 
@@ -35,7 +31,7 @@ namespace Breakwater
   {
     std::fill(force.begin(), force.end(), Quad());
     if (!cells.empty())
-      passes<dim>().forces[effects.viscous][effects.density_diffusion](
+      element_passes<dim>().forces[effects.viscous][effects.density_diffusion](
         cells.front().data(), cells.size(), effects, xp.data(), v.data(), density_slope.data(), force.data());
   }
 
@@ -49,7 +45,7 @@ namespace Breakwater
     if (cells.empty())
       return;
     std::vector<Quad> gradient(xp.size() * dim);
-    passes<dim>().velocity_gradients(cells.front().data(), cells.size(), xp.data(), v.data(), gradient.data());
+    element_passes<dim>().velocity_gradients(cells.front().data(), cells.size(), xp.data(), v.data(), gradient.data());
     for (std::size_t i = 0; i < xp.size(); ++i)
       for (int d = 0; d < dim; ++d)
         {
@@ -58,7 +54,7 @@ namespace Breakwater
             gradient[i * dim + d][e] *= scale;
           gradient[i * dim + d][3] = 0;
         }
-    passes<dim>().filter_impulses(cells.front().data(), cells.size(), weight, xp.data(), v.data(), gradient.data(),
+    element_passes<dim>().filter_impulses(cells.front().data(), cells.size(), weight, xp.data(), v.data(), gradient.data(),
                                   node_density.data(), impulse.data());
   }
 
@@ -68,12 +64,13 @@ namespace Breakwater
                                        const std::vector<Quad> &x, const std::vector<Quad> &x0)
   {
     return cells.empty() ? 0. :
-                           passes<dim>().largest_relative_displacement(cells.front().data(), cells.size(), x.data(),
+                           element_passes<dim>().largest_relative_displacement(cells.front().data(), cells.size(), x.data(),
                                                                        x0.data());
   }
 
 
 #define BREAKWATER_INSTANTIATE(dim)                                                                                    \
+  template const ElementPasses &element_passes<dim>();                                                                 \
   template void   compute_volumes<dim>(const std::vector<SimplexMesh<dim>::Cell> &, const std::vector<Quad> &,         \
                                      std::vector<double> &);                                                           \
   template void   compute_forces<dim>(const std::vector<SimplexMesh<dim>::Cell> &, const ForceEffects &,               \

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "element_passes.h"
 #include "fluid_nodes.h"
 
 #include <breakwater/mesh/simplex_mesh.h>
@@ -8,6 +9,10 @@
 
 namespace Breakwater
 {
+  /// The loops over cells for the best instruction set that this machine has.
+  template <int dim>
+  const ElementPasses &element_passes();
+
   /// Nodal volumes V_i = sum over cells of V_c / (dim + 1), signed [m^dim].
   template <int dim>
   void compute_volumes(const std::vector<typename SimplexMesh<dim>::Cell> &cells, const std::vector<Quad> &xp,

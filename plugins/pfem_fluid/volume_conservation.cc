@@ -224,29 +224,18 @@ namespace Breakwater
   void exchange_mass(FluidNodes<dim> &nodes, const std::vector<typename SimplexMesh<dim>::Cell> &cells,
                      const double reference_density, const double spacing, const unsigned int n_sweeps)
   {
+    if (cells.empty())
+      return;
     const double        regular_volume = power(spacing, dim);
     const double        least_mass     = 0.05 * reference_density * regular_volume;
-    const std::size_t   n_interface    = nodes.n_interface;
-    std::vector<double> cell_weight(cells.size()), excess_density(nodes.n), given(nodes.n);
-    std::vector<Quad>   received(nodes.n); // momentum, and mass in the fourth component
+    const ElementPasses &passes        = element_passes<dim>();
+    std::vector<double> cell_weight(cells.size()), excess_density(nodes.n), active(nodes.n, 1.), given(nodes.n);
+    std::vector<Quad>   request(cells.size()), received(nodes.n);
     for (std::size_t c = 0; c < cells.size(); ++c)
       cell_weight[c] = std::abs(signed_volume(corners<dim>(nodes, cells[c]))) / (2 * (dim + 1));
-
-    // What each corner of a cell would get: minus the deviation of its excess from the cell's mean.
-    const auto exchanged = [&](const std::size_t c, double *z) {
-      const auto  &cell = cells[c];
-      double       mean = 0;
-      unsigned int n    = 0;
-      for (int a = 0; a <= dim; ++a)
-        if (cell[a] >= n_interface)
-          {
-            mean += excess_density[cell[a]];
-            ++n;
-          }
-      mean /= std::max(n, 1u);
-      for (int a = 0; a <= dim; ++a)
-        z[a] = cell[a] >= n_interface ? -cell_weight[c] * (excess_density[cell[a]] - mean) : 0.;
-    };
+    std::fill_n(active.begin(), nodes.n_interface, 0.);
+    for (Quad &v : nodes.v)
+      v[3] = 1;
 
     for (unsigned int sweep = 0; sweep < n_sweeps; ++sweep)
       {
@@ -255,53 +244,17 @@ namespace Breakwater
                               std::max(nodes.volume[i], 0.1 * regular_volume);
         std::fill(given.begin(), given.end(), 0.);
         std::fill(received.begin(), received.end(), Quad());
-        double z[dim + 1];
-        for (std::size_t c = 0; c < cells.size(); ++c)
-          {
-            exchanged(c, z);
-            for (int a = 0; a <= dim; ++a)
-              given[cells[c][a]] += std::max(0., -z[a]);
-          }
+        passes.exchange_requests(cells.front().data(), cells.size(), cell_weight.data(), excess_density.data(),
+                                 active.data(), request.data(), given.data());
         // From here on: the part of what it would give that a node may give.
         for (std::size_t i = 0; i < nodes.n; ++i)
           {
             const double allowed = std::max(0., 0.5 * (nodes.mass[i] - least_mass));
             given[i]             = given[i] > allowed ? allowed / given[i] : 1.;
           }
-        for (std::size_t c = 0; c < cells.size(); ++c)
-          {
-            exchanged(c, z);
-            const auto &cell     = cells[c];
-            double      donated  = 0;
-            double      part     = 1;
-            Quad        momentum;
-            for (int a = 0; a <= dim; ++a)
-              if (z[a] < 0)
-                {
-                  part = std::min(part, given[cell[a]]);
-                  donated -= z[a];
-                  for (int d = 0; d < dim; ++d)
-                    momentum[d] -= z[a] * nodes.v[cell[a]][d];
-                }
-            if (!(donated > 0) || !(part > 0))
-              continue;
-            for (int a = 0; a <= dim; ++a)
-              {
-                const double mass = part * z[a];
-                Quad        &r    = received[cell[a]];
-                if (z[a] < 0)
-                  {
-                    // A donor keeps its velocity: what it gives leaves with that velocity.
-                    for (int d = 0; d < dim; ++d)
-                      r[d] += mass * nodes.v[cell[a]][d];
-                  }
-                else
-                  for (int d = 0; d < dim; ++d)
-                    r[d] += mass * momentum[d] / donated;
-                r[3] += mass;
-              }
-          }
-        for (std::size_t i = n_interface; i < nodes.n; ++i)
+        passes.exchange_transfers(cells.front().data(), cells.size(), request.data(), given.data(), nodes.v.data(),
+                                  received.data());
+        for (std::size_t i = nodes.n_interface; i < nodes.n; ++i)
           if (nodes.has_cells[i])
             {
               const double new_mass = nodes.mass[i] + received[i][3];
@@ -310,6 +263,8 @@ namespace Breakwater
               nodes.mass[i] = new_mass;
             }
       }
+    for (Quad &v : nodes.v)
+      v[3] = 0;
   }
 
 
