@@ -38,7 +38,7 @@ namespace Breakwater
     InitialState<dim>                initial_state;
     Walls<dim>                       walls;
 
-    double       alpha               = 1.25;
+    double       alpha               = 1.4;
     double       largest_strain      = 0.2;
     double       softening           = dim == 2 ? 16. : 12.;
     double       density_diffusion   = 0.5;

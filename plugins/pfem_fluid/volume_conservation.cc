@@ -151,11 +151,8 @@ namespace Breakwater
       if (nodes.has_cells[i] && !nodes.is_surface[i])
         {
           const double wanted = nodes.mass[i] / std::max(nodes.density[i], reference_density);
-          double       r      = std::clamp(wanted - nodes.volume[i], -0.3 * regular_volume, 0.3 * regular_volume);
-          if (r < 0 && nodes.density[i] < reference_density)
-            r = 0;
-          missing[i] = r;
-          square_missing += r * r;
+          missing[i] = std::clamp(wanted - nodes.volume[i], -0.3 * regular_volume, 0.3 * regular_volume);
+          square_missing += missing[i] * missing[i];
           square_volume += nodes.volume[i] * nodes.volume[i];
         }
     if (n_iterations == 0 || !(square_missing > 1e-4 * square_volume))
