@@ -216,7 +216,6 @@ namespace Breakwater
         }
     if (!std::isfinite(sum))
       fail_not_finite();
-    link_force_ = {};
     update_wet_surface();
   }
 
@@ -258,7 +257,6 @@ namespace Breakwater
         const Vec<dim> change = inverse_mass_[wet_nodes_[w]] * force[w];
         acceleration_[wet_nodes_[w]] += change;
         velocity_[wet_nodes_[w]] += (0.5 * time_step) * change;
-        link_force_ += force[w];
       }
     update_wet_surface();
   }
@@ -368,9 +366,6 @@ namespace Breakwater
     row.emplace_back(name_ + " kinetic energy [J]", now.kinetic_energy);
     row.emplace_back(name_ + " strain energy [J]", now.strain_energy);
     row.emplace_back(name_ + " stable step [s]", stable_time_step());
-    if (!wet_nodes_.empty())
-      for (int d = 0; d < dim; ++d)
-        row.emplace_back(name_ + " link force " + "xyz"[d] + " [N]", link_force_[d]);
   }
 
 
@@ -413,7 +408,6 @@ namespace Breakwater
     write_binary(stream, time_);
     write_binary(stream, largest_frequency_);
     write_binary(stream, smallest_volume_ratio_);
-    write_binary(stream, link_force_);
     write_binary(stream, displacement_);
     write_binary(stream, velocity_);
     write_binary(stream, acceleration_);
@@ -429,7 +423,6 @@ namespace Breakwater
     read_binary(stream, time_);
     read_binary(stream, largest_frequency_);
     read_binary(stream, smallest_volume_ratio_);
-    read_binary(stream, link_force_);
     read_binary(stream, displacement_);
     read_binary(stream, velocity_);
     read_binary(stream, acceleration_);

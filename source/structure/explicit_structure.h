@@ -80,7 +80,6 @@ namespace Breakwater
     std::vector<Vec<dim>> displacement_;              ///< [m]
     std::vector<Vec<dim>> velocity_;                  ///< [m/s]
     std::vector<Vec<dim>> acceleration_;              ///< [m/s^2], link forces included
-    Vec<dim>              link_force_;                ///< sum over the nodes at the last step [N]
     CellEigenvalues       eigenvalues_;               ///< of the cells, for the stable step
     double                largest_frequency_     = 0; ///< bound on it [rad/s]
     double                smallest_volume_ratio_ = 1; ///< of a cell at the last force evaluation
