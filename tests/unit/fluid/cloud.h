@@ -1,0 +1,126 @@
+#pragma once
+
+#include <breakwater/mesh/quality.h>
+#include <gtest/gtest.h>
+#include <pfem_fluid/alpha_shape.h>
+#include <pfem_fluid/fluid_nodes.h>
+#include <pfem_fluid/initial_state.h>
+#include <pfem_fluid/kernels.h>
+
+#include <random>
+#include <type_traits>
+
+namespace Breakwater
+{
+  /// Two and three dimensions, for typed tests.
+  using Dimensions = ::testing::Types<std::integral_constant<int, 2>, std::integral_constant<int, 3>>;
+
+  constexpr double spacing = 0.1; ///< h of all clouds here [m]
+
+  template <int dim>
+  double regular_volume()
+  {
+    return dim == 2 ? spacing * spacing : spacing * spacing * spacing;
+  }
+
+  /// Random numbers that are the same everywhere, between -1 and 1.
+  class Noise
+  {
+  public:
+    explicit Noise(const unsigned int seed)
+      : engine_(seed)
+    {
+    }
+    double operator()() { return 2. * engine_() / std::mt19937::max() - 1.; }
+
+    template <int dim>
+    Vec<dim> vec()
+    {
+      Vec<dim> result;
+      for (int d = 0; d < dim; ++d)
+        result[d] = (*this)();
+      return result;
+    }
+
+  private:
+    std::mt19937 engine_;
+  };
+
+  /// A box of the size (0.6, 0.9, 0.7) m from a corner.
+  template <int dim>
+  InitialState<dim> box_state(const Vec<dim> &lower = {}, const unsigned int seed = 1)
+  {
+    constexpr double  size[3] = {0.6, 0.9, 0.7};
+    InitialState<dim> state;
+    state.seed        = seed;
+    state.shape.lower = state.shape.upper = lower;
+    for (int d = 0; d < dim; ++d)
+      state.shape.upper[d] += size[d];
+    return state;
+  }
+
+  template <int dim>
+  double box_volume(const InitialState<dim> &state)
+  {
+    double volume = 1;
+    for (int d = 0; d < dim; ++d)
+      volume *= state.shape.upper[d] - state.shape.lower[d];
+    return volume;
+  }
+
+  template <int dim>
+  SimplexMesh<dim> mesh_of(const std::vector<Vec<dim>> &position, const double alpha = 1.25)
+  {
+    return alpha_shape<dim>(position, alpha * spacing, [](const auto &) {
+      return true;
+    });
+  }
+
+  template <int dim>
+  Simplex<dim> corners(const std::vector<Vec<dim>> &position, const typename SimplexMesh<dim>::Cell &cell)
+  {
+    Simplex<dim> x;
+    for (int a = 0; a <= dim; ++a)
+      x[a] = position[cell[a]];
+    return x;
+  }
+
+  template <int dim>
+  double volume_of(const SimplexMesh<dim> &mesh, const std::vector<Vec<dim>> &position)
+  {
+    double volume = 0;
+    for (const auto &cell : mesh.cells)
+      volume += signed_volume(corners<dim>(position, cell));
+    return volume;
+  }
+
+  /// A block of water at rest, its mesh and the state of its nodes: density 1000 kg/m^3, m = rho V.
+  template <int dim>
+  struct Block
+  {
+    static constexpr double density = 1000;
+
+    SimplexMesh<dim> mesh;
+    FluidNodes<dim>  nodes;
+
+    explicit Block(const unsigned int seed = 1)
+    {
+      const std::vector<Vec<dim>> position = fill_box(box_state<dim>({}, seed), spacing);
+      mesh                                 = mesh_of<dim>(position);
+      nodes.resize(position.size());
+      for (std::size_t i = 0; i < nodes.n; ++i)
+        {
+          for (int d = 0; d < dim; ++d)
+            nodes.xp[i][d] = position[i][d];
+          nodes.has_cells[i] = 1;
+          nodes.density[i]   = density;
+        }
+      for (const auto &facet : mesh.boundary)
+        for (const unsigned int i : facet)
+          nodes.is_surface[i] = 1;
+      compute_volumes<dim>(mesh.cells, nodes.xp, nodes.volume);
+      for (std::size_t i = 0; i < nodes.n; ++i)
+        nodes.mass[i] = density * nodes.volume[i];
+    }
+  };
+} // namespace Breakwater

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <unit/plugins/given_parameters.h>
+
+namespace Breakwater
+{
+  /// The parameters of walls with one section, named Tank.
+  class OneWall : public GivenParameters
+  {
+  public:
+    explicit OneWall(const std::string &shape, const std::string &law = "free slip")
+      : GivenParameters(std::map<std::string, std::string>{{"Shape", shape}, {"Law", law}})
+    {
+    }
+    std::vector<std::string> section_titles() const override { return {"Tank"}; }
+  };
+} // namespace Breakwater

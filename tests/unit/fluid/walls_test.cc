@@ -1,0 +1,190 @@
+#include "one_wall.h"
+
+#include <gtest/gtest.h>
+#include <pfem_fluid/walls.h>
+
+using namespace Breakwater;
+
+namespace
+{
+  /// The tank (0, 0, 0; 1, 2, 3).
+  template <int dim>
+  Walls<dim> tank(const std::string &law, const std::string &kind = "open box")
+  {
+    OneWall    reader(kind + (dim == 2 ? "(0, 0; 1, 2)" : "(0, 0, 0; 1, 2, 3)"), law);
+    Walls<dim> walls;
+    walls.declare_parameters(reader);
+    walls.check_parameters(reader);
+    return walls;
+  }
+
+  // The order of the planes of an open box: x lower, x upper, y lower, z lower, z upper.
+  constexpr std::uint32_t left = 1, right = 2, bottom = 4, back = 8;
+} // namespace
+
+
+TEST(Walls, OpenBoxLacksTheUpperFaceInY)
+{
+  EXPECT_EQ(tank<2>("free slip").planes().size(), 3u);
+  EXPECT_EQ(tank<3>("free slip").planes().size(), 5u);
+  EXPECT_EQ(tank<2>("free slip", "box").planes().size(), 4u);
+  EXPECT_EQ(tank<3>("free slip", "box").planes().size(), 6u);
+}
+
+
+TEST(Walls, ShapeThatIsNoBoxIsRefused)
+{
+  OneWall  reader("sphere(0, 0; 1, 2)");
+  Walls<2> walls;
+  walls.declare_parameters(reader);
+  EXPECT_THROW(walls.check_parameters(reader), InputError);
+}
+
+
+TEST(Walls, KnowThePlanesOfAPlace)
+{
+  const Walls<3> walls = tank<3>("free slip");
+  EXPECT_EQ(walls.planes_at({{0.5, 0.5, 0.5}}, 1e-6), 0u);
+  EXPECT_EQ(walls.planes_at({{1e-7, -1e-7, 0.5}}, 1e-6), left | bottom);
+  EXPECT_EQ(walls.planes_at({{1., 0., 0.}}, 0.), right | bottom | back);
+}
+
+
+TEST(Walls, StopIsAnInelasticImpact)
+{
+  const Walls<2> walls = tank<2>("free slip");
+  double         x[2] = {1.1, 0.5}, v[2] = {3., 4.};
+  std::uint32_t  contacts = 0;
+  walls.stop(x, v, contacts);
+  EXPECT_EQ(x[0], 1.);
+  EXPECT_EQ(x[1], 0.5);
+  EXPECT_EQ(v[0], 0.);
+  EXPECT_EQ(v[1], 4.);
+  EXPECT_EQ(contacts, right);
+}
+
+
+TEST(Walls, StopKeepsAVelocityThatLeadsBack)
+{
+  const Walls<2> walls = tank<2>("free slip");
+  double         x[2] = {-0.1, 0.5}, v[2] = {3., 4.};
+  std::uint32_t  contacts = 0;
+  walls.stop(x, v, contacts);
+  EXPECT_EQ(x[0], 0.);
+  EXPECT_EQ(v[0], 3.);
+}
+
+
+TEST(Walls, StopLeavesNodesInsideAndOnAPlaneAlone)
+{
+  const Walls<2> walls = tank<2>("no slip");
+  double         x[2] = {0., 5.}, v[2] = {-3., 4.};
+  std::uint32_t  contacts = 0;
+  walls.stop(x, v, contacts);
+  EXPECT_EQ(v[0], -3.);
+  EXPECT_EQ(v[1], 4.);
+  EXPECT_EQ(contacts, 0u);
+}
+
+
+TEST(Walls, StopWithoutSlipTakesTheWholeVelocity)
+{
+  const Walls<3> walls = tank<3>("no slip");
+  double         x[3] = {0.5, -0.1, 0.5}, v[3] = {3., 4., 5.};
+  std::uint32_t  contacts = 0;
+  walls.stop(x, v, contacts);
+  EXPECT_EQ(x[1], 0.);
+  for (const double component : v)
+    EXPECT_EQ(component, 0.);
+  EXPECT_EQ(contacts, bottom);
+}
+
+
+TEST(Walls, StopInACornerMakesBothContacts)
+{
+  const Walls<2> walls = tank<2>("free slip");
+  double         x[2] = {1.2, -0.3}, v[2] = {1., -1.};
+  std::uint32_t  contacts = 0;
+  walls.stop(x, v, contacts);
+  EXPECT_EQ(x[0], 1.);
+  EXPECT_EQ(x[1], 0.);
+  EXPECT_EQ(v[0], 0.);
+  EXPECT_EQ(v[1], 0.);
+  EXPECT_EQ(contacts, right | bottom);
+}
+
+
+TEST(Walls, ConstrainHoldsWhatIsPressedOn)
+{
+  const Walls<2> walls = tank<2>("free slip");
+  double         a[2] = {7., -9.81}, v[2] = {2., -1e-3};
+  std::uint32_t  contacts = bottom;
+  walls.constrain(a, v, contacts);
+  EXPECT_EQ(a[0], 7.);
+  EXPECT_EQ(a[1], 0.);
+  EXPECT_EQ(v[0], 2.);
+  EXPECT_EQ(v[1], 0.);
+  EXPECT_EQ(contacts, bottom);
+}
+
+
+TEST(Walls, ConstrainReleasesWhatIsPulledAway)
+{
+  const Walls<2> walls = tank<2>("free slip");
+  double         a[2] = {7., 1.}, v[2] = {2., 0.};
+  std::uint32_t  contacts = bottom | right; // the right wall's inside is at smaller x: 7 presses on
+  walls.constrain(a, v, contacts);
+  EXPECT_EQ(a[0], 0.);
+  EXPECT_EQ(a[1], 1.);
+  EXPECT_EQ(v[0], 0.);
+  EXPECT_EQ(contacts, right);
+}
+
+
+TEST(Walls, ConstrainWithoutContactChangesNothing)
+{
+  const Walls<2> walls = tank<2>("no slip");
+  double         a[2] = {7., -1.}, v[2] = {2., -3.};
+  std::uint32_t  contacts = 0;
+  walls.constrain(a, v, contacts);
+  EXPECT_EQ(a[1], -1.);
+  EXPECT_EQ(v[1], -3.);
+}
+
+
+TEST(Walls, ConstrainWithoutSlipHoldsAllDirectionsUntilRelease)
+{
+  const Walls<3> walls = tank<3>("no slip");
+  double         a[3] = {7., -1., 5.}, v[3] = {2., 0., 1.};
+  std::uint32_t  contacts = bottom;
+  walls.constrain(a, v, contacts);
+  for (int d = 0; d < 3; ++d)
+    {
+      EXPECT_EQ(a[d], 0.);
+      EXPECT_EQ(v[d], 0.);
+    }
+  double away[3] = {7., 1., 5.};
+  walls.constrain(away, v, contacts);
+  EXPECT_EQ(contacts, 0u);
+  EXPECT_EQ(away[0], 7.);
+}
+
+
+TEST(Walls, MaskTakesBothSenses)
+{
+  for (const double sign : {1., -1.})
+    {
+      double slip[3] = {sign, sign, sign}, stick[3] = {sign, sign, sign}, free[3] = {sign, sign, sign};
+      tank<3>("free slip").mask(slip, left | bottom);
+      tank<3>("no slip").mask(stick, bottom);
+      tank<3>("no slip").mask(free, 0);
+      EXPECT_EQ(slip[0], 0.);
+      EXPECT_EQ(slip[1], 0.);
+      EXPECT_EQ(slip[2], sign);
+      for (int d = 0; d < 3; ++d)
+        {
+          EXPECT_EQ(stick[d], 0.);
+          EXPECT_EQ(free[d], sign);
+        }
+    }
+}
