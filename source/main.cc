@@ -11,6 +11,7 @@
 
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <iostream>
 #include <sstream>
 
@@ -105,6 +106,16 @@ namespace
                                    run_scene<3>(command_line, text, registry);
   }
 
+  /// Without mpirun, Open MPI would start a daemon for ranks to come: none will, and where the network or /sys are
+  /// missing, as in a container, that takes seconds and prints warnings.
+  void prepare_mpi_environment()
+  {
+    constexpr int keep = 0;
+    if (std::getenv("OMPI_COMM_WORLD_SIZE") == nullptr)
+      setenv("OMPI_MCA_ess_singleton_isolated", "1", keep);
+    setenv("HWLOC_HIDE_ERRORS", "2", keep);
+  }
+
   /// Runs the task; every error ends here as one message on stderr and an exit status.
   int execute_and_report(const CommandLine &command_line)
   {
@@ -158,6 +169,7 @@ int main(int argc, char **argv)
   if (command_line.task == CommandLine::Task::print_version)
     return std::cout << "breakwater " BREAKWATER_VERSION " (" BREAKWATER_ABI_TAG ")\n", success;
 
+  prepare_mpi_environment();
   const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   dealii::deal_II_exceptions::suppress_stacktrace_in_exceptions();
   if (dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) > 1)

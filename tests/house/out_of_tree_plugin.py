@@ -9,7 +9,7 @@ import sys
 
 from _program import SOURCES, Failures, run
 
-cmake, compiler = sys.argv[1:]
+cmake, compiler, generator = sys.argv[1:]
 failures = Failures()
 for folder in ["installed", "plugin", "plugin-build", "results"]:
     shutil.rmtree(folder, ignore_errors=True)
@@ -24,7 +24,7 @@ def command(*arguments):
 
 command(cmake, "--install", os.environ["BREAKWATER_BUILD_DIR"], "--prefix", os.path.abspath("installed"))
 shutil.copytree(os.path.join(SOURCES, "plugins/TEMPLATE"), "plugin")
-command(cmake, "-S", "plugin", "-B", "plugin-build", "-D", f"CMAKE_PREFIX_PATH={os.path.abspath('installed')}", "-D",
+command(cmake, "-G", generator, "-S", "plugin", "-B", "plugin-build", "-D", f"CMAKE_PREFIX_PATH={os.path.abspath('installed')}", "-D",
         f"CMAKE_CXX_COMPILER={compiler}")
 command(cmake, "--build", "plugin-build")
 
