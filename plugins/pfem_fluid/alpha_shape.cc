@@ -45,8 +45,9 @@ namespace Breakwater
     template <>
     struct Traits<3>
     {
-      using Vertex        = CGAL::Triangulation_vertex_base_with_info_3<unsigned int, Kernel>;
-      using Cell          = CGAL::Triangulation_cell_base_with_info_3<int, Kernel, CGAL::Delaunay_triangulation_cell_base_3<Kernel>>;
+      using Vertex = CGAL::Triangulation_vertex_base_with_info_3<unsigned int, Kernel>;
+      using Cell =
+        CGAL::Triangulation_cell_base_with_info_3<int, Kernel, CGAL::Delaunay_triangulation_cell_base_3<Kernel>>;
       using Triangulation = CGAL::Delaunay_triangulation_3<Kernel, CGAL::Triangulation_data_structure_3<Vertex, Cell>>;
       using Point         = Kernel::Point_3;
       using CellHandle    = Triangulation::Cell_handle;
@@ -105,7 +106,7 @@ namespace Breakwater
 
     // Nodes come numbered along a space-filling curve (or close to it): each is found from the one before. A large
     // cloud in a bad order is sorted by CGAL itself.
-    const auto points = points_of<dim>(position);
+    const auto                                              points = points_of<dim>(position);
     std::vector<std::pair<typename T::Point, unsigned int>> numbered(points.size());
     for (unsigned int i = 0; i < points.size(); ++i)
       numbered[i] = {points[i], i};
@@ -152,18 +153,17 @@ namespace Breakwater
   template <int dim>
   std::vector<unsigned int> hilbert_order(const std::vector<Vec<dim>> &position)
   {
-    const auto                points = points_of<dim>(position);
+    const auto               points = points_of<dim>(position);
     std::vector<std::size_t> order(points.size());
     std::iota(order.begin(), order.end(), std::size_t(0));
-    CGAL::hilbert_sort(order.begin(), order.end(),
-                       typename Traits<dim>::SortTraits(CGAL::make_property_map(points)));
+    CGAL::hilbert_sort(order.begin(), order.end(), typename Traits<dim>::SortTraits(CGAL::make_property_map(points)));
     return {order.begin(), order.end()};
   }
 
 
-  template SimplexMesh<2> alpha_shape<2>(const std::vector<Vec<2>> &, double,
+  template SimplexMesh<2>            alpha_shape<2>(const std::vector<Vec<2>> &, double,
                                          const std::function<bool(const SimplexMesh<2>::Cell &)> &);
-  template SimplexMesh<3> alpha_shape<3>(const std::vector<Vec<3>> &, double,
+  template SimplexMesh<3>            alpha_shape<3>(const std::vector<Vec<3>> &, double,
                                          const std::function<bool(const SimplexMesh<3>::Cell &)> &);
   template std::vector<unsigned int> hilbert_order<2>(const std::vector<Vec<2>> &);
   template std::vector<unsigned int> hilbert_order<3>(const std::vector<Vec<3>> &);

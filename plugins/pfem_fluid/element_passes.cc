@@ -15,9 +15,18 @@ namespace Breakwater
       typedef double V4 __attribute__((vector_size(32)));
       typedef long   I4 __attribute__((vector_size(32)));
 
-      inline V4   load(const Quad &q) { return *reinterpret_cast<const V4 *>(q.c); }
-      inline void store(Quad &q, const V4 &v) { *reinterpret_cast<V4 *>(q.c) = v; }
-      inline V4   all(const double s) { return V4{s, s, s, s}; }
+      inline V4 load(const Quad &q)
+      {
+        return *reinterpret_cast<const V4 *>(q.c);
+      }
+      inline void store(Quad &q, const V4 &v)
+      {
+        *reinterpret_cast<V4 *>(q.c) = v;
+      }
+      inline V4 all(const double s)
+      {
+        return V4{s, s, s, s};
+      }
 
       template <int lane>
       inline V4 spread(const V4 &v)
@@ -53,9 +62,9 @@ namespace Breakwater
         if constexpr (dim == 2)
           {
             const V4 e1 = x[1] - x[0], e2 = x[2] - x[0];
-            area[1]     = V4{0.5 * e2[1], -0.5 * e2[0], 0., 0.};
-            area[2]     = V4{-0.5 * e1[1], 0.5 * e1[0], 0., 0.};
-            area[0]     = -(area[1] + area[2]);
+            area[1] = V4{0.5 * e2[1], -0.5 * e2[0], 0., 0.};
+            area[2] = V4{-0.5 * e1[1], 0.5 * e1[0], 0., 0.};
+            area[0] = -(area[1] + area[2]);
             return e1[0] * area[1][0] + e1[1] * area[1][1];
           }
         else
@@ -336,14 +345,14 @@ namespace Breakwater
     template <int dim>
     ElementPasses element_passes()
     {
-      return {volumes<dim>,
-              {{forces<dim, false, false>, forces<dim, false, true>},
-               {forces<dim, true, false>, forces<dim, true, true>}},
-              velocity_gradients<dim>,
-              filter_impulses<dim>,
-              exchange_requests<dim>,
-              exchange_transfers<dim>,
-              largest_relative_displacement<dim>};
+      return {
+        volumes<dim>,
+        {{forces<dim, false, false>, forces<dim, false, true>}, {forces<dim, true, false>, forces<dim, true, true>}},
+        velocity_gradients<dim>,
+        filter_impulses<dim>,
+        exchange_requests<dim>,
+        exchange_transfers<dim>,
+        largest_relative_displacement<dim>};
     }
 
     template ElementPasses element_passes<2>();

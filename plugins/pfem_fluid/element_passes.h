@@ -34,8 +34,8 @@ namespace Breakwater
     void (*velocity_gradients)(const unsigned int *cells, std::size_t n_cells, const Quad *xp, const Quad *v,
                                Quad *gradient);
     /// Adds the impulses of the velocity filter, see filter_impulses() in kernels.h.
-    void (*filter_impulses)(const unsigned int *cells, std::size_t n_cells, double weight, const Quad *xp, const Quad *v,
-                            const Quad *gradient, const double *node_density, Quad *impulse);
+    void (*filter_impulses)(const unsigned int *cells, std::size_t n_cells, double weight, const Quad *xp,
+                            const Quad *v, const Quad *gradient, const double *node_density, Quad *impulse);
     /// First half of a sweep of the mass exchange: `request` [cell][corner] is what each corner would get,
     /// -weight (e_a - mean e) over the corners that take part (`active` 1, else 0); `given` adds up what nodes give.
     void (*exchange_requests)(const unsigned int *cells, std::size_t n_cells, const double *cell_weight,

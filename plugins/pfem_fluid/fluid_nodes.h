@@ -2,7 +2,7 @@
 
 #include "element_passes.h"
 
-#include <breakwater/base/vec.h>
+#include <breakwater/mesh/quality.h>
 
 #include <cstdint>
 #include <vector>
@@ -17,33 +17,33 @@ namespace Breakwater
     std::size_t n           = 0;
     std::size_t n_interface = 0;
 
-    std::vector<Quad> xp; ///< position x, y, z [m] and pressure [Pa]
-    std::vector<Quad> v; ///< velocity [m/s]
-    std::vector<Quad> a; ///< acceleration at the current time [m/s^2], links and walls included
-    std::vector<Quad> force; ///< force of the fluid's stresses [N]; fourth: flux of density, see kernels.h
+    std::vector<Quad> xp;            ///< position x, y, z [m] and pressure [Pa]
+    std::vector<Quad> v;             ///< velocity [m/s]
+    std::vector<Quad> a;             ///< acceleration at the current time [m/s^2], links and walls included
+    std::vector<Quad> force;         ///< force of the fluid's stresses [N]; fourth: flux of density, see kernels.h
     std::vector<Quad> density_slope; ///< density [kg/m^3] and its hydrostatic gradient [kg/m^4], see kernels.h
 
-    std::vector<double> mass; ///< fluid mass [kg], the same between two remeshes
-    std::vector<double> base_density; ///< rho_b: density at the reference volume [kg/m^3]
-    std::vector<double> density; ///< rho = rho_b / J [kg/m^3]
-    std::vector<double> volume; ///< V: share of the cells around [m^dim], signed
+    std::vector<double> mass;             ///< fluid mass [kg], the same between two remeshes
+    std::vector<double> base_density;     ///< rho_b: density at the reference volume [kg/m^3]
+    std::vector<double> density;          ///< rho = rho_b / J [kg/m^3]
+    std::vector<double> volume;           ///< V: share of the cells around [m^dim], signed
     std::vector<double> reference_volume; ///< V0: volume at the last remesh
     std::vector<double> stiffness_volume; ///< Vhat >= V0: what a change of volume is measured by
-    std::vector<double> companion_mass; ///< mass of another domain that moves with an interface node [kg]
+    std::vector<double> companion_mass;   ///< mass of another domain that moves with an interface node [kg]
     std::vector<Quad>   position_at_remesh;
 
-    std::vector<std::uint32_t> contacts; ///< walls that hold the node now
-    std::vector<std::uint32_t> walls; ///< planes the node lay on at the last remesh
+    std::vector<std::uint32_t> contacts;   ///< walls that hold the node now
+    std::vector<std::uint32_t> walls;      ///< planes the node lay on at the last remesh
     std::vector<char>          is_surface; ///< on a facet that neither wall nor interface closes
-    std::vector<char>          has_cells; ///< false: isolated, flies ballistically
+    std::vector<char>          has_cells;  ///< false: isolated, flies ballistically
 
     void resize(const std::size_t size)
     {
       n = size;
       for (auto *quads : {&xp, &v, &a, &force, &density_slope, &position_at_remesh})
         quads->resize(size);
-      for (auto *doubles : {&mass, &base_density, &density, &volume, &reference_volume, &stiffness_volume,
-                            &companion_mass})
+      for (auto *doubles :
+           {&mass, &base_density, &density, &volume, &reference_volume, &stiffness_volume, &companion_mass})
         doubles->resize(size, 0.);
       contacts.resize(size, 0);
       walls.resize(size, 0);
@@ -63,6 +63,15 @@ namespace Breakwater
       for (int d = 0; d < dim; ++d)
         result[d] = q[d];
       return result;
+    }
+
+    /// The corners of a cell.
+    Simplex<dim> corners(const typename SimplexMesh<dim>::Cell &cell) const
+    {
+      Simplex<dim> x;
+      for (int a = 0; a <= dim; ++a)
+        x[a] = position(cell[a]);
+      return x;
     }
 
     std::vector<Vec<dim>> positions() const

@@ -20,7 +20,9 @@ namespace Breakwater
 
     // The engine's own integers are the same everywhere; the distributions of the standard library are not.
     std::mt19937 random(state.seed);
-    const auto   jitter = [&]() { return state.jitter * spacing * (2. * random() / std::mt19937::max() - 1.); };
+    const auto   jitter = [&]() {
+      return state.jitter * spacing * (2. * random() / std::mt19937::max() - 1.);
+    };
 
     std::vector<Vec<dim>> nodes;
     for (const double offset : {0., 0.5})

@@ -54,8 +54,8 @@ namespace Breakwater
             gradient[i * dim + d][e] *= scale;
           gradient[i * dim + d][3] = 0;
         }
-    element_passes<dim>().filter_impulses(cells.front().data(), cells.size(), weight, xp.data(), v.data(), gradient.data(),
-                                  node_density.data(), impulse.data());
+    element_passes<dim>().filter_impulses(cells.front().data(), cells.size(), weight, xp.data(), v.data(),
+                                          gradient.data(), node_density.data(), impulse.data());
   }
 
 
@@ -64,21 +64,21 @@ namespace Breakwater
                                        const std::vector<Quad> &x, const std::vector<Quad> &x0)
   {
     return cells.empty() ? 0. :
-                           element_passes<dim>().largest_relative_displacement(cells.front().data(), cells.size(), x.data(),
-                                                                       x0.data());
+                           element_passes<dim>().largest_relative_displacement(cells.front().data(), cells.size(),
+                                                                               x.data(), x0.data());
   }
 
 
 #define BREAKWATER_INSTANTIATE(dim)                                                                                    \
   template const ElementPasses &element_passes<dim>();                                                                 \
   template void   compute_volumes<dim>(const std::vector<SimplexMesh<dim>::Cell> &, const std::vector<Quad> &,         \
-                                     std::vector<double> &);                                                           \
+                                     std::vector<double> &);                                                         \
   template void   compute_forces<dim>(const std::vector<SimplexMesh<dim>::Cell> &, const ForceEffects &,               \
-                                    const std::vector<Quad> &, const std::vector<Quad> &, const std::vector<Quad> &,   \
-                                    std::vector<Quad> &);                                                              \
+                                    const std::vector<Quad> &, const std::vector<Quad> &, const std::vector<Quad> &, \
+                                    std::vector<Quad> &);                                                            \
   template void   filter_impulses<dim>(const std::vector<SimplexMesh<dim>::Cell> &, double, const std::vector<Quad> &, \
-                                     const std::vector<Quad> &, const std::vector<double> &, double,                   \
-                                     const std::vector<double> &, std::vector<Quad> &);                                \
+                                     const std::vector<Quad> &, const std::vector<double> &, double,                 \
+                                     const std::vector<double> &, std::vector<Quad> &);                              \
   template double largest_relative_displacement<dim>(const std::vector<SimplexMesh<dim>::Cell> &,                      \
                                                      const std::vector<Quad> &, const std::vector<Quad> &);
   BREAKWATER_INSTANTIATE(2)

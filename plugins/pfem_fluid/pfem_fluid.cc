@@ -17,10 +17,6 @@ namespace Breakwater
     /// the coupler divide by it. The node moves with its companion, so it changes nothing else.
     constexpr double massless_inertia = 1e-6;
 
-    double power(const double h, const int dim)
-    {
-      return dim == 2 ? h * h : h * h * h;
-    }
   } // namespace
 
 
@@ -57,7 +53,7 @@ namespace Breakwater
     effects_.viscosity            = effects_.viscous ? rheology.largest_viscosity() : 0.;
     effects_.density_diffusion    = parameters_.density_diffusion > 0;
     // A sliver that passes through zero volume would make its viscous force infinite.
-    effects_.least_viscous_volume = 0.01 * power(parameters_.spacing, dim);
+    effects_.least_viscous_volume = 0.01 * regular_volume<dim>(parameters_.spacing);
     context.note_effect("viscosity", effects_.viscous, "the rheology is inviscid");
     context.note_effect("density diffusion", effects_.density_diffusion, "its coefficient is 0");
     context.note_effect("velocity filter", parameters_.filter_weight > 0, "its weight is 0");
@@ -129,8 +125,8 @@ namespace Breakwater
     largest_density_          = 0;
     for (std::size_t i = 0; i < nodes_.n; ++i)
       {
-        const double J = std::clamp(1. + (nodes_.volume[i] - nodes_.reference_volume[i]) / nodes_.stiffness_volume[i],
-                                    0.7, 1.4);
+        const double J =
+          std::clamp(1. + (nodes_.volume[i] - nodes_.reference_volume[i]) / nodes_.stiffness_volume[i], 0.7, 1.4);
         nodes_.density[i] = nodes_.base_density[i] / J;
         largest_density_  = std::max(largest_density_, nodes_.density[i]);
       }
@@ -157,10 +153,12 @@ namespace Breakwater
   void PfemFluid<dim>::update_forces()
   {
     update_body_acceleration();
-    const auto   body        = [&](const std::size_t i) { return body_acceleration_[body_force_is_uniform_ ? 0 : i]; };
-    const auto  &walls       = parameters_.walls;
-    const double least_mass  = massless_inertia * parameters_.equation_of_state.front().reference_density() *
-                              power(parameters_.spacing, dim);
+    const auto body = [&](const std::size_t i) {
+      return body_acceleration_[body_force_is_uniform_ ? 0 : i];
+    };
+    const auto  &walls      = parameters_.walls;
+    const double least_mass = massless_inertia * parameters_.equation_of_state.front().reference_density() *
+                              regular_volume<dim>(parameters_.spacing);
 
     if (effects_.density_diffusion)
       {
@@ -242,9 +240,9 @@ namespace Breakwater
   template <int dim>
   void PfemFluid<dim>::refresh_surface()
   {
-    WetSurface<dim> &surface = adopted_.surface();
+    WetSurface<dim> &surface    = adopted_.surface();
     const double     least_mass = massless_inertia * parameters_.equation_of_state.front().reference_density() *
-                              power(parameters_.spacing, dim);
+                              regular_volume<dim>(parameters_.spacing);
     for (std::size_t i = 0; i < nodes_.n_interface; ++i)
       {
         surface.position[i]     = nodes_.position(i);
@@ -323,7 +321,7 @@ namespace Breakwater
   void PfemFluid<dim>::filter_velocity()
   {
     // Interface nodes and their cells take no part: their density is left at zero.
-    const double        least_volume = 0.1 * power(parameters_.spacing, dim);
+    const double        least_volume = 0.1 * regular_volume<dim>(parameters_.spacing);
     std::vector<double> node_density(nodes_.n, 0.);
     for (std::size_t i = nodes_.n_interface; i < nodes_.n; ++i)
       node_density[i] = nodes_.mass[i] / std::max(nodes_.volume[i], least_volume);
@@ -390,7 +388,7 @@ namespace Breakwater
       row.emplace_back(std::string("fluid momentum ") + "xyz"[d] + " [kg m/s]", now.momentum[d]);
     const double deficit = interior_volume_deficit(nodes_);
     row.emplace_back("interior volume deficit [-]", deficit);
-    double       volume   = 0, largest_pressure = 0, largest_speed = 0;
+    double       volume = 0, largest_pressure = 0, largest_speed = 0;
     unsigned int n_isolated = 0;
     for (std::size_t i = 0; i < nodes_.n; ++i)
       {
@@ -405,8 +403,7 @@ namespace Breakwater
     row.emplace_back("largest fluid speed [m/s]", largest_speed);
     context_->set_summary_max("largest_interior_volume_deficit", std::abs(deficit));
     const EquationOfState &state = parameters_.equation_of_state.front();
-    context_->set_summary_max("largest_mach_number",
-                              largest_speed / state.sound_speed(state.reference_density()));
+    context_->set_summary_max("largest_mach_number", largest_speed / state.sound_speed(state.reference_density()));
     context_->set_summary("nodes_put_back_at_walls", n_wall_stops_);
     context_->set_summary("nodes_put_back_out_of_structures", n_pushed_out_);
     context_->set_summary("fluid_nodes", nodes_.n - nodes_.n_interface);
@@ -423,8 +420,8 @@ namespace Breakwater
     for (const auto &cell : mesh_.cells)
       output.cells.insert(output.cells.end(), cell.begin(), cell.end());
 
-    typename OutputMesh<dim>::Field velocity{"velocity", dim, {}}, pressure{"pressure", 1, {}}, density{"density", 1, {}},
-      surface{"surface", 1, {}};
+    typename OutputMesh<dim>::Field velocity{"velocity", dim, {}}, pressure{"pressure", 1, {}},
+      density{"density", 1, {}}, surface{"surface", 1, {}};
     for (std::size_t i = 0; i < nodes_.n; ++i)
       {
         velocity.values.insert(velocity.values.end(), nodes_.v[i].c, nodes_.v[i].c + dim);
@@ -496,7 +493,9 @@ namespace Breakwater
   template <int dim>
   void PfemFluid<dim>::save(std::ostream &stream) const
   {
-    const auto visit = [&](const auto &value) { write(stream, value); };
+    const auto visit = [&](const auto &value) {
+      write(stream, value);
+    };
     visit_nodes(nodes_, mesh_, visit);
     visit(contact_impulse_);
     visit(adopted_.surface().revision);
@@ -513,12 +512,14 @@ namespace Breakwater
   template <int dim>
   void PfemFluid<dim>::load(std::istream &stream)
   {
-    const auto visit = [&](auto &value) { read(stream, value); };
+    const auto visit = [&](auto &value) {
+      read(stream, value);
+    };
     visit_nodes(nodes_, mesh_, visit);
     visit(contact_impulse_);
     visit(adopted_.surface().revision);
-    for (double *value : {&time_, &previous_step_, &bound_, &sound_speed_at_bound_, &largest_density_,
-                          &interface_work_, &energy_after_remesh_, &spectral_bound_})
+    for (double *value : {&time_, &previous_step_, &bound_, &sound_speed_at_bound_, &largest_density_, &interface_work_,
+                          &energy_after_remesh_, &spectral_bound_})
       visit(*value);
     for (unsigned int *value : {&n_steps_since_filter_, &n_steps_to_check_, &n_remeshes_})
       visit(*value);

@@ -89,18 +89,18 @@ namespace Breakwater
     std::vector<double>   pressure_buffer_;
     std::vector<Vec<dim>> contact_impulse_; ///< of leaked nodes, to be given to the interface nodes [kg m/s]
 
-    double       time_                 = 0; ///< [s]
-    double       previous_step_        = 0; ///< [s]
-    double       bound_                = 0; ///< of the rule in use at the last remesh [s]
-    double       sound_speed_at_bound_ = 0; ///< largest one then [m/s]
-    double       largest_density_      = 0; ///< now
-    double       interface_work_       = 0; ///< of the link forces on the fluid since the start [J]
-    double       energy_after_remesh_  = 0; ///< less the interface's work [J]
-    double       spectral_bound_       = 0; ///< Gershgorin's, at the last remesh [s]
-    unsigned int n_steps_since_filter_ = 0;
-    unsigned int n_steps_to_check_     = 0; ///< until needs_remeshing() is asked again
-    unsigned int n_remeshes_           = 0;
-    unsigned long n_wall_stops_        = 0; ///< nodes put back at walls
-    unsigned long n_pushed_out_        = 0; ///< nodes put back out of a structure
+    double        time_                 = 0; ///< [s]
+    double        previous_step_        = 0; ///< [s]
+    double        bound_                = 0; ///< of the rule in use at the last remesh [s]
+    double        sound_speed_at_bound_ = 0; ///< largest one then [m/s]
+    double        largest_density_      = 0; ///< now
+    double        interface_work_       = 0; ///< of the link forces on the fluid since the start [J]
+    double        energy_after_remesh_  = 0; ///< less the interface's work [J]
+    double        spectral_bound_       = 0; ///< Gershgorin's, at the last remesh [s]
+    unsigned int  n_steps_since_filter_ = 0;
+    unsigned int  n_steps_to_check_     = 0; ///< until needs_remeshing() is asked again
+    unsigned int  n_remeshes_           = 0;
+    unsigned long n_wall_stops_         = 0; ///< nodes put back at walls
+    unsigned long n_pushed_out_         = 0; ///< nodes put back out of a structure
   };
 } // namespace Breakwater

@@ -9,7 +9,8 @@ namespace Breakwater
     , time_step_bound("Time step bound", "spectral", "Rule for the largest stable step.", 1)
     , mesh_smoothers("Mesh smoothers", "",
                      "Smoothers that improve each new mesh, in this order. None is needed with the spectral bound.")
-  {}
+  {
+  }
 
 
   template <int dim>
@@ -20,8 +21,7 @@ namespace Breakwater
     rheology.declare_parameters(reader);
     time_step_bound.declare_parameters(reader);
     reader.add("Fraction of the bound", fraction_of_bound,
-               "The time step as a fraction of the bound [-]. More than 1 is unstable with a sharp bound.",
-               {1e-6, 2.});
+               "The time step as a fraction of the bound [-]. More than 1 is unstable with a sharp bound.", {1e-6, 2.});
     mesh_smoothers.declare_parameters(reader);
     reader.add("Tension", tension,
                "Whether the pressure may fall below zero: `none` for violent flow, `allowed` for calm flow in which "

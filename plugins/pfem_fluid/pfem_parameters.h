@@ -28,26 +28,26 @@ namespace Breakwater
   template <int dim>
   struct PfemParameters
   {
-    double                           spacing = 0.01;
-    PluginList<EquationOfState>      equation_of_state;
-    PluginList<FluidRheology>        rheology;
-    PluginList<TimeStepBound<dim>>   time_step_bound;
-    PluginList<MeshSmoother<dim>>    mesh_smoothers;
-    double                           fraction_of_bound = 0.8;
-    std::string                      tension           = "none";
-    InitialState<dim>                initial_state;
-    Walls<dim>                       walls;
+    double                         spacing = 0.01;
+    PluginList<EquationOfState>    equation_of_state;
+    PluginList<FluidRheology>      rheology;
+    PluginList<TimeStepBound<dim>> time_step_bound;
+    PluginList<MeshSmoother<dim>>  mesh_smoothers;
+    double                         fraction_of_bound = 0.8;
+    std::string                    tension           = "none";
+    InitialState<dim>              initial_state;
+    Walls<dim>                     walls;
 
-    double       alpha               = 1.4;
-    double       largest_strain      = 0.2;
-    double       softening           = dim == 2 ? 16. : 12.;
-    double       density_diffusion   = 0.5;
-    double       filter_weight       = 0.2;
-    unsigned int filter_period       = 5;
-    double       centroid_shift      = 0.1;
+    double       alpha                 = 1.4;
+    double       largest_strain        = 0.2;
+    double       softening             = dim == 2 ? 16. : 12.;
+    double       density_diffusion     = 0.5;
+    double       filter_weight         = 0.2;
+    unsigned int filter_period         = 5;
+    double       centroid_shift        = 0.1;
     unsigned int correction_iterations = 5;
-    double       correction_weight   = 0.3;
-    unsigned int exchange_sweeps     = 8;
+    double       correction_weight     = 0.3;
+    unsigned int exchange_sweeps       = 8;
 
     PfemParameters();
     void declare(ParameterReader &reader);

@@ -15,16 +15,11 @@ namespace Breakwater
 {
   namespace
   {
-    double power(const double h, const int dim)
-    {
-      return dim == 2 ? h * h : h * h * h;
-    }
-
     /// Smallest insphere radius of a mesh, and its distribution in units of the regular cell's.
     struct QualityReport
     {
       double smallest_radius = std::numeric_limits<double>::infinity(); ///< [m]
-      double thousandth = 0, hundredth = 0, median = 0; ///< quantiles of r / r_regular [-]
+      double thousandth = 0, hundredth = 0, median = 0;                 ///< quantiles of r / r_regular [-]
     };
 
     template <int dim>
@@ -35,12 +30,7 @@ namespace Breakwater
       std::vector<double> radii;
       radii.reserve(mesh.cells.size());
       for (const auto &cell : mesh.cells)
-        {
-          Simplex<dim> x;
-          for (int a = 0; a <= dim; ++a)
-            x[a] = position[cell[a]];
-          radii.push_back(insphere_radius(x));
-        }
+        radii.push_back(insphere_radius(corners(position, cell)));
       if (radii.empty())
         return report;
       const auto quantile = [&](const double fraction) {
@@ -118,8 +108,8 @@ namespace Breakwater
     for (std::size_t i = 0; i < nodes_.n; ++i)
       {
         // dp/ds = rho(p) g s along the force, to second order in compressibility
-        const double head     = std::max(0., dot(g, nodes_.position(i)) - highest);
-        const double pressure = hydrostatic ? state.reference_density() * head * (1 + 0.5 * head / (c * c)) : 0.;
+        const double head      = std::max(0., dot(g, nodes_.position(i)) - highest);
+        const double pressure  = hydrostatic ? state.reference_density() * head * (1 + 0.5 * head / (c * c)) : 0.;
         nodes_.base_density[i] = nodes_.density[i] = state.density(pressure);
         if (i >= nodes_.n_interface)
           nodes_.contacts[i] = parameters_.walls.planes_at(nodes_.position(i), 1e-9 * h);
@@ -137,7 +127,7 @@ namespace Breakwater
       {
         nodes_.mass[i] = nodes_.density[i] * nodes_.volume[i];
         if (i >= nodes_.n_interface && !nodes_.has_cells[i])
-          nodes_.mass[i] = nodes_.density[i] * power(h, dim);
+          nodes_.mass[i] = nodes_.density[i] * regular_volume<dim>(h);
       }
     set_references();
     update_time_step_bound();
@@ -198,10 +188,10 @@ namespace Breakwater
 
     ++n_remeshes_;
     ++context_->n_remeshes;
-    n_steps_to_check_         = 2;
-    const auto after          = balance();
-    energy_after_remesh_      = fluid_energy();
-    record.transfer_seconds   = transfer_timer.seconds();
+    n_steps_to_check_       = 2;
+    const auto after        = balance();
+    energy_after_remesh_    = fluid_energy();
+    record.transfer_seconds = transfer_timer.seconds();
     add_remeshing_row(record, before, after);
   }
 
@@ -209,15 +199,17 @@ namespace Breakwater
   template <int dim>
   void PfemFluid<dim>::triangulate()
   {
-    const double h                      = parameters_.spacing;
-    const double tolerance              = 0.01 * h;
-    const double least_volume_at_walls  = 0.02 * power(h, dim);
-    const std::vector<Vec<dim>> position = nodes_.positions();
+    const double                h                     = parameters_.spacing;
+    const double                tolerance             = 0.01 * h;
+    const double                least_volume_at_walls = 0.02 * regular_volume<dim>(h);
+    const std::vector<Vec<dim>> position              = nodes_.positions();
     for (std::size_t i = 0; i < nodes_.n; ++i)
       nodes_.walls[i] = parameters_.walls.planes_at(position[i], tolerance);
 
-    const auto is_interface = [&](const unsigned int i) { return i < nodes_.n_interface; };
-    const auto keep         = [&](const typename SimplexMesh<dim>::Cell &cell) {
+    const auto is_interface = [&](const unsigned int i) {
+      return i < nodes_.n_interface;
+    };
+    const auto keep = [&](const typename SimplexMesh<dim>::Cell &cell) {
       auto common       = nodes_.walls[cell[0]];
       bool is_all_fixed = true, has_interface = false, is_all_interface = true;
       for (const unsigned int i : cell)
@@ -229,14 +221,8 @@ namespace Breakwater
         }
       if (common != 0 || is_all_interface)
         return false;
-      if (is_all_fixed)
-        {
-          Simplex<dim> x;
-          for (int a = 0; a <= dim; ++a)
-            x[a] = position[cell[a]];
-          if (signed_volume(x) < least_volume_at_walls)
-            return false;
-        }
+      if (is_all_fixed && signed_volume(corners(position, cell)) < least_volume_at_walls)
+        return false;
       return !has_interface || adopted_.accepts(cell, nodes_);
     };
     mesh_                     = alpha_shape<dim>(position, parameters_.alpha * h, keep);
@@ -304,10 +290,9 @@ namespace Breakwater
   template <int dim>
   void PfemFluid<dim>::correct_volumes(RemeshRecord &record)
   {
-    const std::vector<Quad> shift =
-      volume_correction<dim>(nodes_, mesh_.cells, parameters_.walls,
-                             parameters_.equation_of_state.front().reference_density(), parameters_.spacing,
-                             parameters_.correction_weight, parameters_.correction_iterations);
+    const std::vector<Quad> shift = volume_correction<dim>(
+      nodes_, mesh_.cells, parameters_.walls, parameters_.equation_of_state.front().reference_density(),
+      parameters_.spacing, parameters_.correction_weight, parameters_.correction_iterations);
     if (shift.empty())
       return;
 
@@ -340,14 +325,11 @@ namespace Breakwater
     std::vector<Quad> moment(nodes_.n); // of the cells around: sum of V x, and of V in the fourth component
     for (const auto &cell : mesh_.cells)
       {
-        Simplex<dim> x;
-        Vec<dim>     center;
-        for (int a = 0; a <= dim; ++a)
-          {
-            x[a] = nodes_.position(cell[a]);
-            center += x[a] * (1. / (dim + 1));
-          }
-        const double volume = std::abs(signed_volume(x));
+        const Simplex<dim> x      = nodes_.corners(cell);
+        const double       volume = std::abs(signed_volume(x));
+        Vec<dim>           center;
+        for (const Vec<dim> &corner : x)
+          center += corner * (1. / (dim + 1));
         for (const unsigned int i : cell)
           {
             for (int d = 0; d < dim; ++d)
@@ -407,10 +389,10 @@ namespace Breakwater
     for (std::size_t i = 0; i < nodes_.n; ++i)
       {
         nodes_.reference_volume[i] = nodes_.volume[i];
-        nodes_.stiffness_volume[i] = std::max({nodes_.volume[i], 0.1 * power(h, dim),
-                                               density * h * h * row_sums[i] / parameters_.softening});
-        const double c             = state.sound_speed(nodes_.base_density[i]);
-        largest = std::max(largest, nodes_.base_density[i] * c * c / nodes_.stiffness_volume[i] * row_sums[i]);
+        nodes_.stiffness_volume[i] = std::max(
+          {nodes_.volume[i], 0.1 * regular_volume<dim>(h), density * h * h * row_sums[i] / parameters_.softening});
+        const double c = state.sound_speed(nodes_.base_density[i]);
+        largest        = std::max(largest, nodes_.base_density[i] * c * c / nodes_.stiffness_volume[i] * row_sums[i]);
       }
     spectral_bound_ = largest > 0 ? 2. / std::sqrt(largest) : std::numeric_limits<double>::infinity();
   }
@@ -430,9 +412,9 @@ namespace Breakwater
         sound_speed_at_bound_ = std::max(sound_speed_at_bound_, sound_speed[i]);
       }
     const std::vector<Vec<dim>> position = nodes_.positions();
-    const double                bound    = parameters_.time_step_bound.front().bound(
-      {mesh_, position, inertia, stiffness, sound_speed, effects_.viscous ? effects_.viscosity : 0.,
-                         effects_.least_viscous_volume});
+    const double bound = parameters_.time_step_bound.front().bound({mesh_, position, inertia, stiffness, sound_speed,
+                                                                    effects_.viscous ? effects_.viscosity : 0.,
+                                                                    effects_.least_viscous_volume});
     // Without cells nothing oscillates; still, look for new neighbours now and then.
     bound_ = std::min(bound, 2 * parameters_.spacing / sound_speed_at_bound_);
     if (!(bound_ > 0))
@@ -447,9 +429,9 @@ namespace Breakwater
   void PfemFluid<dim>::add_remeshing_row(const RemeshRecord &record, const DomainBalance<dim> &before,
                                          const DomainBalance<dim> &after)
   {
-    const double r_regular = reference_insphere_radius<dim>(parameters_.spacing);
-    const double c         = sound_speed_at_bound_;
-    double       volume    = 0;
+    const double r_regular  = reference_insphere_radius<dim>(parameters_.spacing);
+    const double c          = sound_speed_at_bound_;
+    double       volume     = 0;
     unsigned int n_isolated = 0;
     for (std::size_t i = 0; i < nodes_.n; ++i)
       {
@@ -478,7 +460,8 @@ namespace Breakwater
                {"mass change [kg]", after.mass - before.mass},
                {"mesh volume [m^" + std::to_string(dim) + "]", volume}};
     for (int d = 0; d < dim; ++d)
-      row.emplace_back(std::string("momentum change ") + "xyz"[d] + " [kg m/s]", after.momentum[d] - before.momentum[d]);
+      row.emplace_back(std::string("momentum change ") + "xyz"[d] + " [kg m/s]",
+                       after.momentum[d] - before.momentum[d]);
     row.emplace_back("kinetic energy change [J]", after.kinetic_energy - before.kinetic_energy);
     row.emplace_back("potential energy change [J]", after.potential_energy - before.potential_energy);
     row.emplace_back("internal energy change [J]", after.internal_energy - before.internal_energy);

@@ -14,7 +14,7 @@ namespace Breakwater
   template <int dim>
   struct BoxShape
   {
-    std::string kind; ///< the word before the bracket
+    std::string kind;         ///< the word before the bracket
     Vec<dim>    lower, upper; ///< corners [m]
 
     bool contains(const Vec<dim> &x) const
@@ -36,7 +36,9 @@ namespace Breakwater
     std::string       allowed;
     for (const std::string &kind : kinds)
       allowed += (allowed.empty() ? "" : " or ") + kind + coordinates;
-    const auto wrong = [&](const std::string &what) { reader.fail(entry, what + "; expected " + allowed); };
+    const auto wrong = [&](const std::string &what) {
+      reader.fail(entry, what + "; expected " + allowed);
+    };
 
     const std::size_t open = text.find('('), close = text.rfind(')');
     if (open == std::string::npos || close == std::string::npos || close < open)

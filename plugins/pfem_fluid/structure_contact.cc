@@ -114,8 +114,9 @@ namespace Breakwater
               const Vec<dim> d = nodes.position(j) - nodes.position(i);
               const double   allowed =
                 -(j < nodes.n_interface ? sine_between_interface_nodes : sine_to_fluid_nodes) * norm(d);
-              if (std::none_of(pieces_of_node_[i].begin(), pieces_of_node_[i].end(),
-                               [&](const unsigned int f) { return dot(normals_[f], d) >= allowed; }))
+              if (std::none_of(pieces_of_node_[i].begin(), pieces_of_node_[i].end(), [&](const unsigned int f) {
+                    return dot(normals_[f], d) >= allowed;
+                  }))
                 return false;
             }
     return true;

@@ -11,20 +11,6 @@ namespace Breakwater
 {
   namespace
   {
-    template <int dim>
-    Simplex<dim> corners(const FluidNodes<dim> &nodes, const typename SimplexMesh<dim>::Cell &cell)
-    {
-      Simplex<dim> x;
-      for (int a = 0; a <= dim; ++a)
-        x[a] = nodes.position(cell[a]);
-      return x;
-    }
-
-    double power(const double h, const int dim)
-    {
-      return dim == 2 ? h * h : h * h * h;
-    }
-
     /// Sweeps of a diffusion of the extensive quantity q over the cells: each corner gives
     /// |V_c| / (2 (dim + 1)) times the difference of q / V to the cell's mean. The sum of q is kept.
     template <int dim>
@@ -65,14 +51,14 @@ namespace Breakwater
         , mobility_(nodes.n)
         , area_(cells.size())
       {
-        const double regular_mass = reference_density * power(spacing, dim);
+        const double regular_mass = reference_density * regular_volume<dim>(spacing);
         for (std::size_t i = 0; i < nodes.n; ++i)
           {
             is_free_[i]  = nodes.has_cells[i] && !nodes.is_surface[i];
             mobility_[i] = i < nodes.n_interface ? 0. : regular_mass / std::max(nodes.mass[i], 0.3 * regular_mass);
           }
         for (std::size_t c = 0; c < cells.size(); ++c)
-          area_[c] = area_vectors(corners<dim>(nodes, cells[c]));
+          area_[c] = area_vectors(nodes.corners(cells[c]));
       }
 
       /// phi counts only where this is true: nodes inside and on the wetted interface.
@@ -139,19 +125,19 @@ namespace Breakwater
 
 
   template <int dim>
-  std::vector<Quad> volume_correction(const FluidNodes<dim> &nodes,
+  std::vector<Quad> volume_correction(const FluidNodes<dim>                              &nodes,
                                       const std::vector<typename SimplexMesh<dim>::Cell> &cells,
                                       const Walls<dim> &walls, const double reference_density, const double spacing,
                                       const double weight, const unsigned int n_iterations)
   {
-    const double        regular_volume = power(spacing, dim);
+    const double        regular = regular_volume<dim>(spacing);
     std::vector<double> missing(nodes.n, 0.);
     double              square_missing = 0, square_volume = 0;
     for (std::size_t i = nodes.n_interface; i < nodes.n; ++i)
       if (nodes.has_cells[i] && !nodes.is_surface[i])
         {
           const double wanted = nodes.mass[i] / std::max(nodes.density[i], reference_density);
-          missing[i] = std::clamp(wanted - nodes.volume[i], -0.3 * regular_volume, 0.3 * regular_volume);
+          missing[i]          = std::clamp(wanted - nodes.volume[i], -0.3 * regular, 0.3 * regular);
           square_missing += missing[i] * missing[i];
           square_volume += nodes.volume[i] * nodes.volume[i];
         }
@@ -163,15 +149,16 @@ namespace Breakwater
       std::vector<typename SimplexMesh<dim>::Cell> interior;
       std::vector<double>                          cell_volume;
       for (const auto &cell : cells)
-        if (std::all_of(cell.begin(), cell.end(),
-                        [&](const unsigned int i) { return i >= nodes.n_interface && !nodes.is_surface[i]; }))
+        if (std::all_of(cell.begin(), cell.end(), [&](const unsigned int i) {
+              return i >= nodes.n_interface && !nodes.is_surface[i];
+            }))
           {
             interior.push_back(cell);
-            cell_volume.push_back(std::abs(signed_volume(corners<dim>(nodes, cell))));
+            cell_volume.push_back(std::abs(signed_volume(nodes.corners(cell))));
           }
       std::vector<double> node_volume(nodes.n);
       for (std::size_t i = 0; i < nodes.n; ++i)
-        node_volume[i] = std::max(nodes.volume[i], 0.1 * regular_volume);
+        node_volume[i] = std::max(nodes.volume[i], 0.1 * regular);
       smooth_extensive<dim>(interior, cell_volume, node_volume, 3, missing);
     }
 
@@ -223,13 +210,13 @@ namespace Breakwater
   {
     if (cells.empty())
       return;
-    const double        regular_volume = power(spacing, dim);
-    const double        least_mass     = 0.05 * reference_density * regular_volume;
-    const ElementPasses &passes        = element_passes<dim>();
-    std::vector<double> cell_weight(cells.size()), excess_density(nodes.n), active(nodes.n, 1.), given(nodes.n);
-    std::vector<Quad>   request(cells.size()), received(nodes.n);
+    const double         regular    = regular_volume<dim>(spacing);
+    const double         least_mass = 0.05 * reference_density * regular;
+    const ElementPasses &passes     = element_passes<dim>();
+    std::vector<double>  cell_weight(cells.size()), excess_density(nodes.n), active(nodes.n, 1.), given(nodes.n);
+    std::vector<Quad>    request(cells.size()), received(nodes.n);
     for (std::size_t c = 0; c < cells.size(); ++c)
-      cell_weight[c] = std::abs(signed_volume(corners<dim>(nodes, cells[c]))) / (2 * (dim + 1));
+      cell_weight[c] = std::abs(signed_volume(nodes.corners(cells[c]))) / (2 * (dim + 1));
     std::fill_n(active.begin(), nodes.n_interface, 0.);
     for (Quad &v : nodes.v)
       v[3] = 1;
@@ -237,8 +224,8 @@ namespace Breakwater
     for (unsigned int sweep = 0; sweep < n_sweeps; ++sweep)
       {
         for (std::size_t i = 0; i < nodes.n; ++i)
-          excess_density[i] = (nodes.mass[i] - nodes.density[i] * nodes.volume[i]) /
-                              std::max(nodes.volume[i], 0.1 * regular_volume);
+          excess_density[i] =
+            (nodes.mass[i] - nodes.density[i] * nodes.volume[i]) / std::max(nodes.volume[i], 0.1 * regular);
         std::fill(given.begin(), given.end(), 0.);
         std::fill(received.begin(), received.end(), Quad());
         passes.exchange_requests(cells.front().data(), cells.size(), cell_weight.data(), excess_density.data(),
@@ -284,7 +271,7 @@ namespace Breakwater
                                                     const std::vector<SimplexMesh<dim>::Cell> &, const Walls<dim> &,   \
                                                     double, double, double, unsigned int);                             \
   template void   exchange_mass<dim>(FluidNodes<dim> &, const std::vector<SimplexMesh<dim>::Cell> &, double, double,   \
-                                   unsigned int);                                                                      \
+                                   unsigned int);                                                                    \
   template double interior_volume_deficit<dim>(const FluidNodes<dim> &);
   BREAKWATER_INSTANTIATE(2)
   BREAKWATER_INSTANTIATE(3)

@@ -19,10 +19,10 @@ namespace Breakwater
   ///
   /// @return one displacement per node, empty if nothing is worth correcting
   template <int dim>
-  std::vector<Quad> volume_correction(const FluidNodes<dim> &nodes,
+  std::vector<Quad> volume_correction(const FluidNodes<dim>                              &nodes,
                                       const std::vector<typename SimplexMesh<dim>::Cell> &cells,
-                                      const Walls<dim> &walls, double reference_density, double spacing,
-                                      double weight, unsigned int n_iterations);
+                                      const Walls<dim> &walls, double reference_density, double spacing, double weight,
+                                      unsigned int n_iterations);
 
   /// Exchanges mass, with its momentum, between neighbours on a new mesh until mass / volume is smooth:
   /// `n_sweeps` of a diffusion of (m - rho V) / V over all cells, surface included, interface nodes left out.

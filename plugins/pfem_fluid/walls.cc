@@ -11,7 +11,9 @@ namespace Breakwater
   {
     SectionScope scope(reader, "Walls");
     for (const std::string &title : reader.section_titles())
-      if (std::none_of(boxes_.begin(), boxes_.end(), [&](const Box &box) { return box.name == title; }))
+      if (std::none_of(boxes_.begin(), boxes_.end(), [&](const Box &box) {
+            return box.name == title;
+          }))
         boxes_.push_back({title, "", "free slip"});
     for (Box &box : boxes_)
       {
@@ -31,7 +33,7 @@ namespace Breakwater
     SectionScope scope(reader, "Walls");
     for (const Box &box : boxes_)
       {
-        SectionScope     box_scope(reader, box.name);
+        SectionScope        box_scope(reader, box.name);
         const BoxShape<dim> shape = parse_box<dim>(box.shape, reader, "Shape", {"box", "open box"});
         for (int d = 0; d < dim; ++d)
           {

@@ -22,8 +22,8 @@ namespace Breakwater
     {
       std::string name;
       int         direction; ///< coordinate that is constant
-      double      sign; ///< +1: the fluid is at larger coordinates
-      double      place; ///< [m]
+      double      sign;      ///< +1: the fluid is at larger coordinates
+      double      place;     ///< [m]
       bool        no_slip;
     };
 

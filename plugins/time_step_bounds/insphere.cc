@@ -12,14 +12,10 @@ namespace Breakwater
     double bound = std::numeric_limits<double>::infinity();
     for (const auto &cell : fluid.mesh.cells)
       {
-        Simplex<dim> x;
-        double       sound_speed = 0;
-        for (int a = 0; a <= dim; ++a)
-          {
-            x[a]        = fluid.position[cell[a]];
-            sound_speed = std::max(sound_speed, fluid.sound_speed[cell[a]]);
-          }
-        bound = std::min(bound, std::abs(insphere_radius(x)) / sound_speed);
+        double sound_speed = 0;
+        for (const unsigned int i : cell)
+          sound_speed = std::max(sound_speed, fluid.sound_speed[i]);
+        bound = std::min(bound, std::abs(insphere_radius(corners(fluid.position, cell))) / sound_speed);
       }
     return bound;
   }

@@ -11,15 +11,6 @@ namespace Breakwater
 {
   namespace
   {
-    template <int dim>
-    Simplex<dim> corners(const LinearizedFluid<dim> &fluid, const typename SimplexMesh<dim>::Cell &cell)
-    {
-      Simplex<dim> x;
-      for (int a = 0; a <= dim; ++a)
-        x[a] = fluid.position[cell[a]];
-      return x;
-    }
-
     /// Row-sum bound on the largest eigenvalue [1/s] of M^-1 C, where C is the matrix of the viscous forces: a cell's
     /// block is bounded by 2 mu |A_a| |A_b| / V.
     template <int dim>
@@ -28,13 +19,12 @@ namespace Breakwater
       std::vector<double> row_sums(fluid.position.size(), 0.);
       for (const auto &cell : fluid.mesh.cells)
         {
-          const Simplex<dim> x    = corners(fluid, cell);
+          const Simplex<dim> x    = corners(fluid.position, cell);
           const Simplex<dim> area = area_vectors(x);
           double             sum  = 0;
           for (int a = 0; a <= dim; ++a)
             sum += norm(area[a]);
-          const double factor =
-            2 * fluid.viscosity / std::max(std::abs(signed_volume(x)), fluid.least_viscous_volume);
+          const double factor = 2 * fluid.viscosity / std::max(std::abs(signed_volume(x)), fluid.least_viscous_volume);
           for (int a = 0; a <= dim; ++a)
             row_sums[cell[a]] += factor * norm(area[a]) * sum;
         }
@@ -47,8 +37,8 @@ namespace Breakwater
 
     /// y = M^-1 D^T W D x, by the two passes of the fluid itself.
     template <int dim>
-    void apply(const LinearizedFluid<dim> &fluid, const std::vector<Simplex<dim>> &area,
-               const std::vector<Vec<dim>> &x, std::vector<double> &pressure, std::vector<Vec<dim>> &y)
+    void apply(const LinearizedFluid<dim> &fluid, const std::vector<Simplex<dim>> &area, const std::vector<Vec<dim>> &x,
+               std::vector<double> &pressure, std::vector<Vec<dim>> &y)
     {
       std::fill(pressure.begin(), pressure.end(), 0.);
       std::fill(y.begin(), y.end(), Vec<dim>());
@@ -113,7 +103,7 @@ namespace Breakwater
     std::vector<Simplex<dim>> area;
     area.reserve(fluid.mesh.cells.size());
     for (const auto &cell : fluid.mesh.cells)
-      area.push_back(area_vectors(corners(fluid, cell)));
+      area.push_back(area_vectors(corners(fluid.position, cell)));
     std::vector<double>   pressure(n);
     std::vector<Vec<dim>> next(n);
     for (unsigned int k = 0; k < n_iterations_; ++k)

@@ -11,10 +11,7 @@ namespace Breakwater
     std::vector<double>                      column_sums(position.size(), 0.);
     for (std::size_t c = 0; c < mesh.cells.size(); ++c)
       {
-        Simplex<dim> x;
-        for (int a = 0; a <= dim; ++a)
-          x[a] = position[mesh.cells[c][a]];
-        const Simplex<dim> area = area_vectors(x);
+        const Simplex<dim> area = area_vectors(corners(position, mesh.cells[c]));
         for (int a = 0; a <= dim; ++a)
           {
             lengths[c][a] = norm(area[a]);

@@ -31,11 +31,10 @@ namespace Breakwater
   public:
     virtual ~ParameterReader() = default;
 
-    virtual void add(const std::string &name, double &member, const std::string &documentation,
-                     Range range = {}) = 0;
+    virtual void add(const std::string &name, double &member, const std::string &documentation, Range range = {}) = 0;
     virtual void add(const std::string &name, unsigned int &member, const std::string &documentation,
-                     unsigned int lower = 0, unsigned int upper = std::numeric_limits<int>::max()) = 0;
-    virtual void add(const std::string &name, bool &member, const std::string &documentation) = 0;
+                     unsigned int lower = 0, unsigned int upper = std::numeric_limits<int>::max())                = 0;
+    virtual void add(const std::string &name, bool &member, const std::string &documentation)                     = 0;
     /// Any text.
     virtual void add(const std::string &name, std::string &member, const std::string &documentation) = 0;
     /// One of the choices.
@@ -118,10 +117,10 @@ namespace Breakwater
   private:
     std::string                             entry_;
     std::string                             value_; ///< what the entry holds
-    std::string                             made_; ///< the value for which plugins_ were made
+    std::string                             made_;  ///< the value for which plugins_ were made
     std::string                             documentation_;
     unsigned int                            n_max_;
-    std::vector<std::string>                names_; ///< as registered
+    std::vector<std::string>                names_;  ///< as registered
     std::vector<std::string>                titles_; ///< of the sections
     std::vector<std::unique_ptr<Interface>> plugins_;
   };
@@ -136,7 +135,8 @@ namespace Breakwater
     , value_(std::move(default_names))
     , documentation_(std::move(documentation))
     , n_max_(n_max)
-  {}
+  {
+  }
 
   template <class Interface>
   void PluginList<Interface>::declare_parameters(ParameterReader &reader)
@@ -154,7 +154,7 @@ namespace Breakwater
           {
             try
               {
-                const auto &entry = reader.registry().find(Interface::interface_name, Interface::dimension, part);
+                const auto  &entry    = reader.registry().find(Interface::interface_name, Interface::dimension, part);
                 unsigned int n_before = 0;
                 for (const std::string &name : names_)
                   n_before += name == entry.name;

@@ -18,9 +18,9 @@ namespace Breakwater
 
     struct Entry
     {
-      std::string name; ///< as the manual writes it, also the title of its section: "Saint Venant Kirchhoff"
+      std::string name;        ///< as the manual writes it, also the title of its section: "Saint Venant Kirchhoff"
       std::string description; ///< one line
-      std::string library; ///< bare name of the library that brought it, "core" for what is built in
+      std::string library;     ///< bare name of the library that brought it, "core" for what is built in
       Factory     factory;
     };
 
@@ -60,8 +60,8 @@ namespace Breakwater
     void set_current_library(const std::string &library) { current_library_ = library; }
 
   private:
-    void add_entry(const std::string &interface_name, int dimension, const std::string &name,
-                   const std::string &description, Factory factory);
+    void                     add_entry(const std::string &interface_name, int dimension, const std::string &name,
+                                       const std::string &description, Factory factory);
     [[noreturn]] static void throw_wrong_type(const std::string &interface_name, const std::string &name);
 
     std::map<std::pair<std::string, int>, std::vector<Entry>> entries_;

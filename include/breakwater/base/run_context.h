@@ -79,9 +79,9 @@ namespace Breakwater
     /// What limits the step at present, for the progress line: "fluid (spectral)".
     std::string step_limited_by;
 
-    unsigned long cell_steps  = 0; ///< of fluid solvers: cells times steps
-    unsigned long steps       = 0; ///< of the domain with the smallest step
-    unsigned long n_remeshes  = 0;
+    unsigned long cell_steps = 0; ///< of fluid solvers: cells times steps
+    unsigned long steps      = 0; ///< of the domain with the smallest step
+    unsigned long n_remeshes = 0;
 
   private:
     friend class PhaseTimer;
@@ -109,11 +109,11 @@ namespace Breakwater
     double seconds() const;
 
   private:
-    RunContext  &context_;
-    Phase        phase_;
-    PhaseTimer  *outer_;
-    double       start_;
-    double       inner_seconds_ = 0;
+    RunContext &context_;
+    Phase       phase_;
+    PhaseTimer *outer_;
+    double      start_;
+    double      inner_seconds_ = 0;
   };
 
   /// CPU seconds of this process.

@@ -8,11 +8,11 @@ namespace Breakwater
   /// What a coupler measures: the proof that the interface makes no energy.
   struct InterfaceBalance
   {
-    double       energy       = 0; ///< kinetic energy from the link forces on both domains since the start [J]
-    double       velocity_gap = 0; ///< largest difference of the tied velocities at the last fine step [m/s]
-    double       largest_gap  = 0; ///< largest velocity gap of the run [m/s]
+    double       energy             = 0; ///< kinetic energy from the link forces on both domains since the start [J]
+    double       velocity_gap       = 0; ///< largest difference of the tied velocities at the last fine step [m/s]
+    double       largest_gap        = 0; ///< largest velocity gap of the run [m/s]
     double       displacement_drift = 0; ///< largest difference of the tied positions since the last correction [m]
-    unsigned int n_substeps = 1; ///< fine steps in the last coarse step, m
+    unsigned int n_substeps         = 1; ///< fine steps in the last coarse step, m
   };
 
   /// Advances two explicit domains together in time, tied at their wet surfaces.

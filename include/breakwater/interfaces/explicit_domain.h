@@ -16,8 +16,8 @@ namespace Breakwater
   template <int dim>
   struct DomainBalance
   {
-    double   mass = 0; ///< [kg]
-    Vec<dim> momentum; ///< [kg m/s]
+    double   mass = 0;             ///< [kg]
+    Vec<dim> momentum;             ///< [kg m/s]
     double   kinetic_energy   = 0; ///< [J]
     double   potential_energy = 0; ///< of the body forces [J]
     double   internal_energy  = 0; ///< of compression of a fluid [J]

@@ -15,11 +15,11 @@ namespace Breakwater
   struct LinearizedFluid
   {
     const SimplexMesh<dim>      &mesh;
-    const std::vector<Vec<dim>> &position; ///< [m]
-    const std::vector<double>   &mass; ///< [kg], mass that moves with the node; > 0 where a cell touches the node
+    const std::vector<Vec<dim>> &position;  ///< [m]
+    const std::vector<double>   &mass;      ///< [kg], mass that moves with the node; > 0 where a cell touches the node
     const std::vector<double>   &stiffness; ///< W_i [Pa/m^dim]
-    const std::vector<double>   &sound_speed; ///< at the nodes [m/s]
-    double                       viscosity; ///< largest one [Pa s], 0: none
+    const std::vector<double>   &sound_speed;          ///< at the nodes [m/s]
+    double                       viscosity;            ///< largest one [Pa s], 0: none
     double                       least_viscous_volume; ///< cell volumes below count as this in viscous forces [m^dim]
   };
 

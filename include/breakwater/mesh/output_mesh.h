@@ -14,9 +14,9 @@ namespace Breakwater
   {
     struct Field
     {
-      std::string         name; ///< "velocity [m/s]" without the unit: "velocity"
+      std::string         name;         ///< "velocity [m/s]" without the unit: "velocity"
       unsigned int        n_components; ///< 1 or dim
-      std::vector<double> values; ///< [node][component]
+      std::vector<double> values;       ///< [node][component]
     };
 
     std::vector<Vec<dim>>     position; ///< current positions [m]

@@ -1,16 +1,28 @@
 #pragma once
 
 #include <breakwater/base/vec.h>
+#include <breakwater/mesh/simplex_mesh.h>
 
 #include <array>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 namespace Breakwater
 {
   /// The corners of one simplex.
   template <int dim>
   using Simplex = std::array<Vec<dim>, dim + 1>;
+
+  /// The corners of a cell of a mesh.
+  template <int dim>
+  Simplex<dim> corners(const std::vector<Vec<dim>> &position, const typename SimplexMesh<dim>::Cell &cell)
+  {
+    Simplex<dim> x;
+    for (int a = 0; a <= dim; ++a)
+      x[a] = position[cell[a]];
+    return x;
+  }
 
   /// Area vectors dV/dx_a of the corners a of a simplex [m^(dim-1)]: each is the inward normal of the opposite facet
   /// times that facet's measure over dim. They add up to zero.
@@ -21,8 +33,8 @@ namespace Breakwater
     if constexpr (dim == 2)
       {
         const Vec<2> e1 = x[1] - x[0], e2 = x[2] - x[0];
-        area[1]         = {{0.5 * e2[1], -0.5 * e2[0]}};
-        area[2]         = {{-0.5 * e1[1], 0.5 * e1[0]}};
+        area[1] = {{0.5 * e2[1], -0.5 * e2[0]}};
+        area[2] = {{-0.5 * e1[1], 0.5 * e1[0]}};
       }
     else
       {
@@ -76,6 +88,13 @@ namespace Breakwater
         return norm(cross(e2, e3) * dot(e1, e1) + cross(e3, e1) * dot(e2, e2) + cross(e1, e2) * dot(e3, e3)) /
                (12 * volume);
       }
+  }
+
+  /// Space of one node at a spacing h, h^dim [m^dim].
+  template <int dim>
+  constexpr double regular_volume(const double spacing)
+  {
+    return dim == 2 ? spacing * spacing : spacing * spacing * spacing;
   }
 
   /// Insphere radius of the regular simplex whose share of space is that of n nodes at spacing h: the unit in which

@@ -14,7 +14,7 @@ namespace Breakwater
     using Cell  = std::array<unsigned int, dim + 1>;
     using Facet = std::array<unsigned int, dim>;
 
-    std::vector<Cell>  cells; ///< node numbers
+    std::vector<Cell>  cells;    ///< node numbers
     std::vector<Facet> boundary; ///< facets with one cell, their normals out of the mesh (as in WetSurface)
   };
 } // namespace Breakwater

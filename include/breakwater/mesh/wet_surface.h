@@ -16,8 +16,8 @@ namespace Breakwater
   {
     static constexpr unsigned int nodes_per_facet = dim == 2 ? 2 : 4;
 
-    std::vector<Vec<dim>>                                  position; ///< [m]
-    std::vector<Vec<dim>>                                  velocity; ///< [m/s]
+    std::vector<Vec<dim>>                                  position;     ///< [m]
+    std::vector<Vec<dim>>                                  velocity;     ///< [m/s]
     std::vector<Vec<dim>>                                  acceleration; ///< [m/s^2], link forces included
     std::vector<Vec<dim>>                                  inverse_mass; ///< [1/kg], 0 in a direction that is held
     std::vector<std::array<unsigned int, nodes_per_facet>> facets;
