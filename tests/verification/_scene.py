@@ -1,6 +1,7 @@
 """Runs a parameter file of the project and reads its history.csv; collects what a verification finds wrong."""
 
 import csv
+import json
 import os
 import shutil
 import subprocess
@@ -20,6 +21,11 @@ def run(scene, settings=None, output="output"):
     if result.returncode != 0:
         sys.exit(f"{' '.join(command)}\nended with {result.returncode}:\n{result.stderr}")
     return read_columns(os.path.join(output, "history.csv"))
+
+
+def read_summary(output="output"):
+    with open(os.path.join(output, "summary.json"), encoding="utf-8") as file:
+        return json.load(file)
 
 
 def read_columns(file_name):
