@@ -296,24 +296,40 @@ namespace Breakwater
   template <int dim>
   void PfemFluid<dim>::check_state() const
   {
+    const EquationOfState &state   = parameters_.equation_of_state.front();
+    const double           fastest = parameters_.largest_mach_number * state.sound_speed(state.reference_density());
     for (std::size_t i = 0; i < nodes_.n; ++i)
       {
-        double sum = nodes_.xp[i][3];
+        double sum = nodes_.xp[i][3], square = 0;
         for (int d = 0; d < dim; ++d)
-          sum += nodes_.xp[i][d] + nodes_.v[i][d] + nodes_.a[i][d];
-        if (!std::isfinite(sum))
           {
-            std::ostringstream message;
-            message << "The state of " << name_ << " is not finite any more at t = " << time_ << " s: node " << i
-                    << " at (";
-            for (int d = 0; d < dim; ++d)
-              message << (d == 0 ? "" : ", ") << nodes_.position_at_remesh[i][d];
-            message << ") m, pressure " << nodes_.xp[i][3] << " Pa, volume " << nodes_.volume[i] << " m^" << dim
-                    << ". The time step is probably too long: lower 'Fraction of the bound' (now "
-                    << parameters_.fraction_of_bound << ").";
-            throw BreakdownError(message.str());
+            sum += nodes_.xp[i][d] + nodes_.a[i][d];
+            square += nodes_.v[i][d] * nodes_.v[i][d];
           }
+        if (!std::isfinite(sum) || !(square <= fastest * fastest))
+          fail_at_node(i, fastest);
       }
+  }
+
+
+  template <int dim>
+  void PfemFluid<dim>::fail_at_node(const std::size_t i, const double fastest) const
+  {
+    std::ostringstream message;
+    message << name_ << " broke down at t = " << time_ << " s: node " << i << ", which was at (";
+    for (int d = 0; d < dim; ++d)
+      message << (d == 0 ? "" : ", ") << nodes_.position_at_remesh[i][d];
+    const double speed = norm(nodes_.velocity(i));
+    message << ") m after the last remesh, ";
+    if (std::isfinite(speed))
+      message << "moves at " << speed << " m/s; allowed are " << fastest << " m/s, 'Limits/Largest Mach number' times "
+              << "the speed of sound.";
+    else
+      message << "has a state that is not finite (pressure " << nodes_.xp[i][3] << " Pa, volume " << nodes_.volume[i]
+              << " m^" << dim << ").";
+    message << " Either the step is unstable: lower 'Fraction of the bound' (now " << parameters_.fraction_of_bound
+            << "); or the flow is too fast for this fluid: raise its speed of sound.";
+    throw BreakdownError(message.str());
   }
 
 

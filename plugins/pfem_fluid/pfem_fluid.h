@@ -48,14 +48,15 @@ namespace Breakwater
     struct RemeshRecord;
 
     // pfem_fluid.cc: one time step
-    void update_pressure();
-    void update_forces();
-    void update_body_acceleration();
-    void diffuse_density(double time_step);
-    void filter_velocity();
-    void refresh_surface();
-    void check_state() const;
-    bool needs_remeshing() const;
+    void              update_pressure();
+    void              update_forces();
+    void              update_body_acceleration();
+    void              diffuse_density(double time_step);
+    void              filter_velocity();
+    void              refresh_surface();
+    void              check_state() const;
+    [[noreturn]] void fail_at_node(std::size_t node, double fastest) const;
+    bool              needs_remeshing() const;
 
     // remeshing.cc
     void place_initial_nodes();

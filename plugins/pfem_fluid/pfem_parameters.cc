@@ -61,6 +61,13 @@ namespace Breakwater
                  Range::positive());
     }
     {
+      SectionScope scope(reader, "Limits");
+      reader.add("Largest Mach number", largest_mach_number,
+                 "The run stops when a node moves faster than this times the speed of sound at rest [-]: the fluid is "
+                 "no longer weakly compressible, or the step was unstable.",
+                 Range::positive());
+    }
+    {
       SectionScope scope(reader, "Volume conservation");
       reader.add("Correction iterations", correction_iterations,
                  "Conjugate gradient iterations of the position correction at a remesh; 0: no correction.");

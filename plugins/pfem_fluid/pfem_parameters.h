@@ -48,6 +48,7 @@ namespace Breakwater
     unsigned int correction_iterations = 5;
     double       correction_weight     = 0.3;
     unsigned int exchange_sweeps       = 8;
+    double       largest_mach_number   = 1.;
 
     PfemParameters();
     void declare(ParameterReader &reader);
