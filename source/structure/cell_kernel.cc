@@ -128,6 +128,9 @@ namespace Breakwater
 
       using NodeValues   = Pack[dim][n_nodes];
       using PointTensors = Pack[n_nodes][dim][dim];
+      /// Products of the edges that meet at a corner, for the first and the last corner of each subcell.
+      static constexpr int n_products = dim * (dim + 1) / 2;
+      using CellMetrics               = Pack[2 * power(n - 1, dim) * n_products];
       /// At points times lanes, as a Material takes them.
       using MaterialTensors = double[n_nodes * n_lanes * dim * dim];
 
@@ -139,8 +142,9 @@ namespace Breakwater
         Pack         inverse_jacobian[n_nodes][dim][dim]; ///< [point]
         Pack         point_volume[n_nodes];
         Pack         node_volume[n_nodes];
-        Pack         size;                 ///< volume to the power 1/dim [m]
-        Pack         inverse_spacing[dim]; ///< of neighbouring nodes in each direction of the cell [1/m]
+        Pack         size;                   ///< volume to the power 1/dim [m]
+        Pack         position[dim][n_nodes]; ///< undeformed [m]
+        Pack         inverse_spacing[dim];   ///< of neighbouring nodes in each direction of the cell [1/m]
       };
 
       void gather(const Batch &batch, const std::vector<Vec<dim>> &values, NodeValues &local) const;
@@ -148,9 +152,9 @@ namespace Breakwater
       void stresses(const PointTensors &gradient, PointTensors &stress) const;
       void divergence(const Batch &batch, const PointTensors &stress, NodeValues &force) const;
 
-      Pack largest_change_of_gradient(const Batch &batch, const NodeValues &u, const NodeValues &reference) const;
+      void metrics(const Batch &batch, const NodeValues &u, CellMetrics &metric) const;
       void apply_tangent(const Batch &batch, const NodeValues &u, const NodeValues &x, NodeValues &result) const;
-      Pack improve_eigenvector(const Batch &batch, const NodeValues &u, NodeValues &x) const;
+      Pack improve_eigenvector(const Batch &batch, const NodeValues &u, NodeValues &x, bool &is_settled) const;
       Pack product(const Batch &batch, const NodeValues &x, const NodeValues &y) const;
 
       static void to_material(const PointTensors &tensors, MaterialTensors &values);
@@ -177,8 +181,10 @@ namespace Breakwater
               const std::size_t cell = b * n_lanes + std::min(lane, batch.n_cells - 1);
               for (int i = 0; i < n_nodes; ++i)
                 {
-                  const std::size_t index     = cell * n_nodes + i;
-                  batch.node[i][lane]         = mesh.cell_nodes[index];
+                  const std::size_t index = cell * n_nodes + i;
+                  batch.node[i][lane]     = mesh.cell_nodes[index];
+                  for (int d = 0; d < dim; ++d)
+                    batch.position[d][i][lane] = mesh.nodes[mesh.cell_nodes[index]][d];
                   batch.point_volume[i][lane] = mesh.point_volume[index];
                   batch.node_volume[i][lane]  = mesh.node_volume[index];
                   for (int k = 0; k < dim; ++k)
@@ -399,27 +405,37 @@ namespace Breakwater
     }
 
 
-    /// By differences of neighbouring nodes along the directions of the cell.
+    /// Tangents of the lattice of nodes, dx/dX along its lines, and their products: 2 E + 1 by finite differences, which
+    /// a rotation leaves as it is.
     template <int dim, int n>
-    Pack TensorCellKernel<dim, n>::largest_change_of_gradient(const Batch &batch, const NodeValues &u,
-                                                              const NodeValues &reference) const
+    void TensorCellKernel<dim, n>::metrics(const Batch &batch, const NodeValues &u, CellMetrics &metric) const
     {
-      Pack largest = {};
-      for (int direction = 0; direction < dim; ++direction)
+      Pack *next = metric;
+      for (int subcell = 0; subcell < power(n - 1, dim); ++subcell)
         {
-          const int stride = power(n, direction);
-          for (int outer = 0; outer < n_nodes; outer += n * stride)
-            for (int node = outer; node < outer + (n - 1) * stride; ++node)
-              for (int c = 0; c < dim; ++c)
-                {
-                  const Pack change =
-                    batch.inverse_spacing[direction] *
-                    ((u[c][node + stride] - reference[c][node + stride]) - (u[c][node] - reference[c][node]));
-                  largest = change > largest ? change : largest;
-                  largest = -change > largest ? -change : largest;
-                }
+          const int first = subcell % (n - 1) + n * (subcell / (n - 1) % (n - 1)) +
+                            (dim == 3 ? n * n * (subcell / ((n - 1) * (n - 1))) : 0);
+          for (const int side : {1, -1})
+            {
+              const int node = side == 1 ? first : first + 1 + n + (dim == 3 ? n * n : 0);
+              Pack      tangent[dim][dim];
+              for (int k = 0; k < dim; ++k)
+                for (int c = 0; c < dim; ++c)
+                  {
+                    const int other = node + side * power(n, k);
+                    tangent[k][c]   = batch.inverse_spacing[k] *
+                                    ((batch.position[c][other] - batch.position[c][node]) + (u[c][other] - u[c][node]));
+                  }
+              for (int k = 0; k < dim; ++k)
+                for (int l = 0; l <= k; ++l)
+                  {
+                    *next = tangent[k][0] * tangent[l][0];
+                    for (int c = 1; c < dim; ++c)
+                      *next += tangent[k][c] * tangent[l][c];
+                    ++next;
+                  }
+            }
         }
-      return largest;
     }
 
 
@@ -501,8 +517,10 @@ namespace Breakwater
 
 
     /// A few steps of Lanczos' method: x becomes the best eigenvector of the largest eigenvalue, which is returned.
+    /// It has settled if the last step has raised it by less than a thousandth in all lanes.
     template <int dim, int n>
-    Pack TensorCellKernel<dim, n>::improve_eigenvector(const Batch &batch, const NodeValues &u, NodeValues &x) const
+    Pack TensorCellKernel<dim, n>::improve_eigenvector(const Batch &batch, const NodeValues &u, NodeValues &x,
+                                                       bool &is_settled) const
     {
       constexpr int n_steps = 6;
       NodeValues    basis[n_steps], w;
@@ -537,6 +555,7 @@ namespace Breakwater
             assign_scaled(w, beside[step] > 0. ? 1. / length : 0. * length, basis[step + 1]);
         }
 
+      is_settled = true;
       Pack eigenvalue, share[n_steps];
       for (int lane = 0; lane < n_lanes; ++lane)
         {
@@ -546,7 +565,11 @@ namespace Breakwater
               a[step] = diagonal[step][lane];
               b[step] = step + 1 < n_steps ? beside[step][lane] : 0.;
             }
-          eigenvalue[lane] = largest_eigenvalue(a, b, vector);
+          b[n_steps - 2]      = 0;
+          const double before = largest_eigenvalue(a, b, vector);
+          b[n_steps - 2]      = beside[n_steps - 2][lane];
+          eigenvalue[lane]    = largest_eigenvalue(a, b, vector);
+          is_settled          = is_settled && eigenvalue[lane] < 1.001 * before;
           for (int step = 0; step < n_steps; ++step)
             share[step][lane] = vector[step];
         }
@@ -566,7 +589,7 @@ namespace Breakwater
       CellEigenvalues   eigenvalues;
       eigenvalues.eigenvalue.assign(batches_.size() * n_lanes, 0.);
       eigenvalues.direction.assign(n_values, 0.);
-      eigenvalues.displacement.assign(n_values, 0.);
+      eigenvalues.metric.assign(batches_.size() * sizeof(CellMetrics) / sizeof(double), 0.);
       return eigenvalues;
     }
 
@@ -580,11 +603,19 @@ namespace Breakwater
         {
           const Batch      &batch = batches_[b];
           const std::size_t first = b * sizeof(NodeValues) / sizeof(double);
-          NodeValues        u, reference;
+          NodeValues        u;
+          CellMetrics       metric, reference;
           gather(batch, displacement, u);
-          std::memcpy(reference, &eigenvalues.displacement[first], sizeof(NodeValues));
-          const Pack change      = largest_change_of_gradient(batch, u, reference);
-          bool       has_changed = false;
+          metrics(batch, u, metric);
+          std::memcpy(reference, &eigenvalues.metric[b * sizeof(CellMetrics) / sizeof(double)], sizeof(CellMetrics));
+          Pack change = {};
+          for (std::size_t i = 0; i < sizeof(CellMetrics) / sizeof(Pack); ++i)
+            {
+              const Pack difference = 0.5 * (metric[i] - reference[i]);
+              change                = difference > change ? difference : change;
+              change                = -difference > change ? -difference : change;
+            }
+          bool has_changed = false;
           for (int lane = 0; lane < n_lanes; ++lane)
             has_changed =
               has_changed || !(change[lane] <= tolerance) || eigenvalues.eigenvalue[b * n_lanes + lane] == 0;
@@ -606,18 +637,12 @@ namespace Breakwater
                         (length[lane] > 0 ? x[c][i][lane] * std::sqrt(batch_mass[lane] / length[lane]) : 0.) +
                         0.1 * std::sin(1. + 12.9898 * k * k);
                   }
-              Pack eigenvalue = {};
-              bool is_rising  = true;
-              for (unsigned int round = 0; round < 50 && is_rising; ++round)
-                {
-                  const Pack last = eigenvalue;
-                  eigenvalue      = improve_eigenvector(batch, u, x);
-                  is_rising       = false;
-                  for (int lane = 0; lane < n_lanes; ++lane)
-                    is_rising = is_rising || eigenvalue[lane] > 1.002 * last[lane];
-                }
+              Pack eigenvalue;
+              bool is_settled = false;
+              for (unsigned int round = 0; round < 50 && !is_settled; ++round)
+                eigenvalue = improve_eigenvector(batch, u, x, is_settled);
               std::memcpy(&eigenvalues.direction[first], x, sizeof(NodeValues));
-              std::memcpy(&eigenvalues.displacement[first], u, sizeof(NodeValues));
+              std::memcpy(&eigenvalues.metric[b * sizeof(CellMetrics) / sizeof(double)], metric, sizeof(CellMetrics));
               std::memcpy(&eigenvalues.eigenvalue[b * n_lanes], &eigenvalue, sizeof(Pack));
             }
           for (int lane = 0; lane < n_lanes; ++lane)

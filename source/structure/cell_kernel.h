@@ -11,9 +11,9 @@ namespace Breakwater
   /// The largest eigenvalues of the cells with what is needed to follow them, in the layout of a CellKernel.
   struct CellEigenvalues
   {
-    std::vector<double> eigenvalue;   ///< [1/s^2]
-    std::vector<double> direction;    ///< an eigenvector for each cell
-    std::vector<double> displacement; ///< of the nodes of each cell when it was last looked at [m]
+    std::vector<double> eigenvalue; ///< [1/s^2]
+    std::vector<double> direction;  ///< an eigenvector for each cell
+    std::vector<double> metric;     ///< a measure of the strain when each cell was last looked at [-]
   };
 
   /// Forces, energies and stresses of the cells of a total-Lagrangian solid, by Gauss quadrature with sum factorisation.
@@ -51,8 +51,8 @@ namespace Breakwater
     ///
     /// The largest eigenvalue of the assembled pencil is not above the largest one of any single, free cell with its
     /// own share of the lumped mass (Irons and Treharne, 1971). Those are found by a few Lanczos steps for each cell,
-    /// on the tangent by central differences of the force, but only for cells whose displacement gradient has changed
-    /// by more than the tolerance since they were last looked at.
+    /// on the tangent by central differences of the force, but only for cells whose strain has changed by more than the
+    /// tolerance since they were last looked at.
     virtual double bound_eigenvalue(const std::vector<Vec<dim>> &displacement, CellEigenvalues &eigenvalues,
                                     double tolerance) const = 0;
 

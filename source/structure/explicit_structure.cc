@@ -14,9 +14,9 @@ namespace Breakwater
 {
   namespace
   {
-    /// The frequency of a cell is computed anew once its displacement gradient has changed by this much. That changes
+    /// The frequency of a cell is computed anew once its strain has changed by this much. That changes
     /// the frequency of a St Venant-Kirchhoff solid by 1.5 times as much, well within the usual fraction of the bound.
-    constexpr double tolerated_change_of_gradient = 0.02;
+    constexpr double tolerated_change_of_strain = 0.02;
 
     template <int dim>
     std::string place(const Vec<dim> &position)
@@ -174,8 +174,7 @@ namespace Breakwater
   template <int dim>
   void ExplicitStructure<dim>::bound_frequency()
   {
-    largest_frequency_ =
-      std::sqrt(kernel_->bound_eigenvalue(displacement_, eigenvalues_, tolerated_change_of_gradient));
+    largest_frequency_ = std::sqrt(kernel_->bound_eigenvalue(displacement_, eigenvalues_, tolerated_change_of_strain));
     if (!std::isfinite(largest_frequency_))
       fail_not_finite();
   }
@@ -413,7 +412,7 @@ namespace Breakwater
     write_binary(stream, acceleration_);
     write_binary(stream, eigenvalues_.eigenvalue);
     write_binary(stream, eigenvalues_.direction);
-    write_binary(stream, eigenvalues_.displacement);
+    write_binary(stream, eigenvalues_.metric);
   }
 
   template <int dim>
@@ -428,9 +427,9 @@ namespace Breakwater
     read_binary(stream, acceleration_);
     read_binary(stream, eigenvalues_.eigenvalue);
     read_binary(stream, eigenvalues_.direction);
-    read_binary(stream, eigenvalues_.displacement);
+    read_binary(stream, eigenvalues_.metric);
     if (displacement_.size() != n_nodes || velocity_.size() != n_nodes || acceleration_.size() != n_nodes ||
-        eigenvalues_.direction.size() != n_directions || eigenvalues_.displacement.size() != n_directions)
+        eigenvalues_.direction.size() != n_directions)
       throw InputError(name_ +
                        ": the checkpoint holds another mesh: was the scene's mesh changed since it was written?");
     for (std::size_t i = 0; i < position_.size(); ++i)

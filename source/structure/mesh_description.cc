@@ -44,7 +44,7 @@ namespace Breakwater
     [[noreturn]] void fail_box(const std::string &text, const std::string &reason)
     {
       throw InputError(
-        "\"" + text + "\" is no mesh: " + reason + "; expected is " +
+        (text.empty() ? "no mesh is given" : "\"" + text + "\" is no mesh: " + reason) + "; expected is " +
         (dim == 3 ? "box(x0, y0, z0; x1, y1, z1; nx, ny, nz): two opposite corners [m] and the number of cells in each "
                     "direction, e.g. box(0, 0, 0; 0.012, 0.08, 0.15; 1, 6, 8)" :
                     "box(x0, y0; x1, y1; nx, ny): two opposite corners [m] and the number of cells in each direction, "
@@ -77,7 +77,7 @@ namespace Breakwater
   {
     const std::string trimmed = trimmed_lower(text);
     if (trimmed.empty())
-      fail_box<dim>(text, "it is empty");
+      fail_box<dim>("", "");
     const std::size_t open = trimmed.find('(');
     if (open == std::string::npos || trimmed.back() != ')' || trimmed_lower(trimmed.substr(0, open)) != "box")
       fail_box<dim>(text, "it does not read box(...)");

@@ -37,7 +37,7 @@ namespace Breakwater
   TEST(MeshDescription, SaysWhatIsWrongWithABox)
   {
     const std::vector<std::pair<std::string, std::string>> cases = {
-      {"", "it is empty"},
+      {"", "no mesh is given"},
       {"sphere(0, 0; 1, 1; 1, 1)", "does not read box(...)"},
       {"box(0, 0; 1, 1; 1, 1", "does not read box(...)"},
       {"box(0, 0; 1, 1)", "2 parts"},
