@@ -37,7 +37,7 @@ def main():
         lines = [re.fullmatch(r"(.+?) = (\S+) \+- (\S+)", line.strip()) for line in file if line.strip()]
     if "--update" in sys.argv:
         with open(expected, "w", encoding="utf-8") as file:
-            file.writelines(f"{line[1]} = {values[line[1]]:.9g} +- {line[3]}\n" for line in lines)
+            file.writelines(f"{line[1]} = {values[line[1]]:.15g} +- {line[3]}\n" for line in lines)
         return
     wrong = 0
     for name, value, tolerance in (line.groups() for line in lines):
