@@ -17,12 +17,6 @@ namespace Breakwater
 
   constexpr double spacing = 0.1; ///< h of all clouds here [m]
 
-  template <int dim>
-  double regular_volume()
-  {
-    return dim == 2 ? spacing * spacing : spacing * spacing * spacing;
-  }
-
   /// Random numbers that are the same everywhere, between -1 and 1.
   class Noise
   {
@@ -74,15 +68,6 @@ namespace Breakwater
     return alpha_shape<dim>(position, alpha * spacing, [](const auto &) {
       return true;
     });
-  }
-
-  template <int dim>
-  Simplex<dim> corners(const std::vector<Vec<dim>> &position, const typename SimplexMesh<dim>::Cell &cell)
-  {
-    Simplex<dim> x;
-    for (int a = 0; a <= dim; ++a)
-      x[a] = position[cell[a]];
-    return x;
   }
 
   template <int dim>

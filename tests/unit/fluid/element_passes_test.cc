@@ -213,7 +213,7 @@ TYPED_TEST(Passes, BothInstructionSetsAgree)
   std::vector<double> other(t.x.size());
   two.volumes(cells, n_cells, t.x.data(), other.data());
   for (std::size_t i = 0; i < volume.size(); ++i)
-    EXPECT_NEAR(volume[i], other[i], 1e-13 * regular_volume<dim>());
+    EXPECT_NEAR(volume[i], other[i], 1e-13 * regular_volume<dim>(spacing));
 
   std::vector<Quad> gradient(t.x.size() * dim), other_gradient(t.x.size() * dim);
   one.velocity_gradients(cells, n_cells, t.x.data(), t.v.data(), gradient.data());
@@ -434,7 +434,7 @@ TYPED_TEST(Passes, FilterIsExactForLinearVelocities)
   constexpr int     dim = TypeParam::value;
   Tangle<dim>       t(0.1 * spacing);
   std::vector<Quad> noisy, linear;
-  const double      least_volume = 1e-6 * regular_volume<dim>();
+  const double      least_volume = 1e-6 * regular_volume<dim>(spacing);
   filter_impulses<dim>(t.cells(), 0.2, t.x, t.v, t.volume, least_volume, t.node_density, noisy);
   const double gradient[3][3] = {{1, -2, 3}, {0.5, -1, 2}, {4, 1, 0.5}};
   set_linear_velocity(t, gradient);
@@ -449,7 +449,7 @@ TYPED_TEST(Passes, FilterMakesNoMomentumAndTakesNoiseAway)
   const Tangle<dim>       t(0.1 * spacing);
   const std::vector<Quad> rest(t.x.size());
   std::vector<Quad>       impulse;
-  filter_impulses<dim>(t.cells(), 0.2, t.x, t.v, t.volume, 0.1 * regular_volume<dim>(), t.node_density, impulse);
+  filter_impulses<dim>(t.cells(), 0.2, t.x, t.v, t.volume, 0.1 * regular_volume<dim>(spacing), t.node_density, impulse);
   const Quad sum = sum_of(impulse);
   for (int d = 0; d < dim; ++d)
     EXPECT_LT(std::abs(sum[d]), 1e-12 * largest_of(impulse));
@@ -464,7 +464,7 @@ TYPED_TEST(Passes, FilterLeavesCellsOfNodesWithoutDensityOut)
   std::vector<Quad> impulse;
   const auto       &cell  = t.cells()[t.cells().size() / 2];
   t.node_density[cell[0]] = 0;
-  filter_impulses<dim>(t.cells(), 0.2, t.x, t.v, t.volume, 0.1 * regular_volume<dim>(), t.node_density, impulse);
+  filter_impulses<dim>(t.cells(), 0.2, t.x, t.v, t.volume, 0.1 * regular_volume<dim>(spacing), t.node_density, impulse);
   for (int d = 0; d < 4; ++d)
     EXPECT_EQ(impulse[cell[0]][d], 0.);
   EXPECT_GT(largest_of(impulse), 0.);

@@ -40,7 +40,7 @@ namespace
     Noise      noise(3);
     for (std::size_t i = 0; i < block.nodes.n; ++i)
       {
-        block.nodes.mass[i] = block.density * regular_volume<dim>() * (1.025 + 0.975 * noise());
+        block.nodes.mass[i] = block.density * regular_volume<dim>(spacing) * (1.025 + 0.975 * noise());
         for (int d = 0; d < dim; ++d)
           block.nodes.v[i][d] = 1 + noise();
       }
@@ -160,7 +160,7 @@ TYPED_TEST(VolumeConservation, ExchangeNeverMakesAVeryLightNode)
   for (std::size_t i = 0; i < block.nodes.n; ++i)
     block.nodes.density[i] = i % 2 == 0 ? 1e-3 * block.density : 20 * block.density;
   exchange(block, 50);
-  const double regular_mass = block.density * regular_volume<dim>();
+  const double regular_mass = block.density * regular_volume<dim>(spacing);
   EXPECT_GE(Totals(block.nodes).least_mass, 0.05 * regular_mass * (1 - 1e-12));
   EXPECT_LT(Totals(block.nodes).least_mass, 0.1 * regular_mass) << "the limit was not tried";
 }
