@@ -90,27 +90,34 @@ namespace Breakwater
           return dot3(x[1] - x[0], cross(x[2] - x[0], x[3] - x[0])) * (1. / 6.);
       }
 
-      /// Viscous forces of a cell are subtracted from f: tau A_a with S = V (L + L^T), of which row d is
-      /// sum_a v_a[d] A_a + A_a[d] v_a, and tau = mu / V (S - 2/3 tr(L) V). As the A_a add up to zero, velocities
+      /// S = V (L + L^T), of which row d is sum_a v_a[d] A_a + A_a[d] v_a. As the A_a add up to zero, velocities
       /// against the first corner do.
       template <int dim>
-      inline void subtract_viscous_forces(const V4 *v, const V4 *area, const double factor, V4 *f)
+      inline void strain_rate_rows(const V4 *v, const V4 *area, V4 *s)
       {
-        V4 s0 = all(0.), s1 = all(0.), s2 = all(0.);
+        s[0] = s[1] = s[2] = all(0.);
         for (int a = 1; a <= dim; ++a)
           {
             const V4 dv = v[a] - v[0];
-            s0 += spread<0>(dv) * area[a] + spread<0>(area[a]) * dv;
-            s1 += spread<1>(dv) * area[a] + spread<1>(area[a]) * dv;
+            s[0] += spread<0>(dv) * area[a] + spread<0>(area[a]) * dv;
+            s[1] += spread<1>(dv) * area[a] + spread<1>(area[a]) * dv;
             if constexpr (dim == 3)
-              s2 += spread<2>(dv) * area[a] + spread<2>(area[a]) * dv;
+              s[2] += spread<2>(dv) * area[a] + spread<2>(area[a]) * dv;
           }
-        const V4 pressure_like = all((1. / 3.) * (s0[0] + s1[1] + s2[2]));
+      }
+
+      /// Viscous forces of a cell are subtracted from f: tau A_a with tau = mu / V (S - 2/3 tr(L) V).
+      template <int dim>
+      inline void subtract_viscous_forces(const V4 *v, const V4 *area, const double factor, V4 *f)
+      {
+        V4 s[3];
+        strain_rate_rows<dim>(v, area, s);
+        const V4 pressure_like = all((1. / 3.) * (s[0][0] + s[1][1] + s[2][2]));
         for (int a = 1; a <= dim; ++a)
           {
-            V4 t = spread<0>(area[a]) * s0 + spread<1>(area[a]) * s1 - pressure_like * area[a];
+            V4 t = spread<0>(area[a]) * s[0] + spread<1>(area[a]) * s[1] - pressure_like * area[a];
             if constexpr (dim == 3)
-              t += spread<2>(area[a]) * s2;
+              t += spread<2>(area[a]) * s[2];
             t *= all(factor);
             f[a] -= t;
             f[0] += t;
@@ -160,7 +167,8 @@ namespace Breakwater
                 for (int a = 0; a < n; ++a)
                   velocity[a] = load(v[cell[a]]);
                 const double least = effects.least_viscous_volume;
-                subtract_viscous_forces<dim>(velocity, area, effects.viscosity / (size > least ? size : least), f);
+                const double mu    = effects.cell_viscosity != nullptr ? effects.cell_viscosity[c] : effects.viscosity;
+                subtract_viscous_forces<dim>(velocity, area, mu / (size > least ? size : least), f);
               }
 
             if constexpr (diffusion)
@@ -188,6 +196,27 @@ namespace Breakwater
 
             for (int a = 0; a < n; ++a)
               store(force[cell[a]], load(force[cell[a]]) + f[a]);
+          }
+      }
+
+      template <int dim>
+      void shear_rates(const unsigned int *cells, const std::size_t n_cells, const double least_volume, const Quad *xp,
+                       const Quad *v, double *shear_rate)
+      {
+        for (std::size_t c = 0; c < n_cells; ++c)
+          {
+            const unsigned int *cell = cells + c * (dim + 1);
+            V4                  x[dim + 1], u[dim + 1], area[dim + 1], s[3];
+            for (int a = 0; a <= dim; ++a)
+              {
+                x[a] = load(xp[cell[a]]);
+                u[a] = load(v[cell[a]]);
+              }
+            const double size = __builtin_fabs(geometry<dim>(x, area));
+            strain_rate_rows<dim>(u, area, s);
+            // D = S / (2 V), so sqrt(2 D:D) = sqrt(S:S / 2) / V.
+            const double square = dot3(s[0], s[0]) + dot3(s[1], s[1]) + dot3(s[2], s[2]);
+            shear_rate[c]       = __builtin_sqrt(0.5 * square) / (size > least_volume ? size : least_volume);
           }
       }
 
@@ -348,6 +377,7 @@ namespace Breakwater
       return {
         volumes<dim>,
         {{forces<dim, false, false>, forces<dim, false, true>}, {forces<dim, true, false>, forces<dim, true, true>}},
+        shear_rates<dim>,
         velocity_gradients<dim>,
         filter_impulses<dim>,
         exchange_requests<dim>,

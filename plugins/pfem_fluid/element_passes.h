@@ -17,10 +17,11 @@ namespace Breakwater
   /// not in the scene costs nothing.
   struct ForceEffects
   {
-    bool   viscous              = false;
-    bool   density_diffusion    = false;
-    double viscosity            = 0; ///< [Pa s]
-    double least_viscous_volume = 0; ///< cells smaller than this count as this big in viscous forces [m^dim]
+    bool          viscous              = false;
+    bool          density_diffusion    = false;
+    double        viscosity            = 0;       ///< of all cells [Pa s]
+    const double *cell_viscosity       = nullptr; ///< of each cell [Pa s], where it is not the same
+    double        least_viscous_volume = 0; ///< cells smaller than this count as this big in viscous forces [m^dim]
   };
 
   /// The loops over cells, compiled once per instruction set (element_passes.cc). Cells are arrays [cell][dim + 1].
@@ -30,6 +31,9 @@ namespace Breakwater
     /// By [viscous][density diffusion].
     void (*forces[2][2])(const unsigned int *cells, std::size_t n_cells, const ForceEffects &effects, const Quad *xp,
                          const Quad *v, const Quad *density_slope, Quad *force);
+    /// Shear rates sqrt(2 D:D) of the cells [1/s], D the rate of deformation; small volumes count as in the forces.
+    void (*shear_rates)(const unsigned int *cells, std::size_t n_cells, double least_volume, const Quad *xp,
+                        const Quad *v, double *shear_rate);
     /// Adds to gradient [node][dim rows] the integrals of grad v_d: sum over cells of V_c grad v_d / (dim + 1).
     void (*velocity_gradients)(const unsigned int *cells, std::size_t n_cells, const Quad *xp, const Quad *v,
                                Quad *gradient);

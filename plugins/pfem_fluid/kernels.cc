@@ -37,6 +37,17 @@ namespace Breakwater
 
 
   template <int dim>
+  void compute_shear_rates(const std::vector<typename SimplexMesh<dim>::Cell> &cells, const double least_volume,
+                           const std::vector<Quad> &xp, const std::vector<Quad> &v, std::vector<double> &shear_rate)
+  {
+    shear_rate.resize(cells.size());
+    if (!cells.empty())
+      element_passes<dim>().shear_rates(cells.front().data(), cells.size(), least_volume, xp.data(), v.data(),
+                                        shear_rate.data());
+  }
+
+
+  template <int dim>
   void filter_impulses(const std::vector<typename SimplexMesh<dim>::Cell> &cells, const double weight,
                        const std::vector<Quad> &xp, const std::vector<Quad> &v, const std::vector<double> &volume,
                        const double least_volume, const std::vector<double> &node_density, std::vector<Quad> &impulse)
@@ -69,17 +80,19 @@ namespace Breakwater
   }
 
 
-#define BREAKWATER_INSTANTIATE(dim)                                                                                    \
-  template const ElementPasses &element_passes<dim>();                                                                 \
-  template void   compute_volumes<dim>(const std::vector<SimplexMesh<dim>::Cell> &, const std::vector<Quad> &,         \
-                                     std::vector<double> &);                                                         \
-  template void   compute_forces<dim>(const std::vector<SimplexMesh<dim>::Cell> &, const ForceEffects &,               \
-                                    const std::vector<Quad> &, const std::vector<Quad> &, const std::vector<Quad> &, \
-                                    std::vector<Quad> &);                                                            \
-  template void   filter_impulses<dim>(const std::vector<SimplexMesh<dim>::Cell> &, double, const std::vector<Quad> &, \
-                                     const std::vector<Quad> &, const std::vector<double> &, double,                 \
-                                     const std::vector<double> &, std::vector<Quad> &);                              \
-  template double largest_relative_displacement<dim>(const std::vector<SimplexMesh<dim>::Cell> &,                      \
+#define BREAKWATER_INSTANTIATE(dim)                                                                                      \
+  template const ElementPasses &element_passes<dim>();                                                                   \
+  template void   compute_volumes<dim>(const std::vector<SimplexMesh<dim>::Cell> &, const std::vector<Quad> &,           \
+                                     std::vector<double> &);                                                           \
+  template void   compute_forces<dim>(const std::vector<SimplexMesh<dim>::Cell> &, const ForceEffects &,                 \
+                                    const std::vector<Quad> &, const std::vector<Quad> &, const std::vector<Quad> &,   \
+                                    std::vector<Quad> &);                                                              \
+  template void   compute_shear_rates<dim>(const std::vector<SimplexMesh<dim>::Cell> &, double,                          \
+                                         const std::vector<Quad> &, const std::vector<Quad> &, std::vector<double> &); \
+  template void   filter_impulses<dim>(const std::vector<SimplexMesh<dim>::Cell> &, double, const std::vector<Quad> &,   \
+                                     const std::vector<Quad> &, const std::vector<double> &, double,                   \
+                                     const std::vector<double> &, std::vector<Quad> &);                                \
+  template double largest_relative_displacement<dim>(const std::vector<SimplexMesh<dim>::Cell> &,                        \
                                                      const std::vector<Quad> &, const std::vector<Quad> &);
   BREAKWATER_INSTANTIATE(2)
   BREAKWATER_INSTANTIATE(3)

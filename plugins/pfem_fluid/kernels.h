@@ -30,6 +30,11 @@ namespace Breakwater
                       const std::vector<Quad> &xp, const std::vector<Quad> &v, const std::vector<Quad> &density_slope,
                       std::vector<Quad> &force);
 
+  /// Shear rates sqrt(2 D:D) of the cells [1/s]; cells smaller than least_volume count as this big.
+  template <int dim>
+  void compute_shear_rates(const std::vector<typename SimplexMesh<dim>::Cell> &cells, double least_volume,
+                           const std::vector<Quad> &xp, const std::vector<Quad> &v, std::vector<double> &shear_rate);
+
   /// Impulses [kg m/s] that take a part `weight` of the velocity's deviation from a locally linear field away:
   ///   -weight sum_c m_c [v_a - v_c - G_c (x_a - x_c)],   m_c = |V_c| / (dim + 1) times the cell's least node_density,
   /// with the means over the cell written v_c and x_c, and G_c that of the recovered nodal velocity gradients. In

@@ -174,6 +174,7 @@ namespace Breakwater
           }
       }
 
+    update_viscosity();
     compute_forces<dim>(mesh_.cells, effects_, nodes_.xp, nodes_.v, nodes_.density_slope, nodes_.force);
 
     for (std::size_t i = 0; i < nodes_.n_interface; ++i)
@@ -195,6 +196,19 @@ namespace Breakwater
             nodes_.a[i][d] += contact_impulse_[i][d] / (previous_step_ * std::max(nodes_.mass[i], least_mass));
         contact_impulse_.clear();
       }
+  }
+
+
+  template <int dim>
+  void PfemFluid<dim>::update_viscosity()
+  {
+    const FluidRheology &rheology = parameters_.rheology.front();
+    if (rheology.is_newtonian())
+      return;
+    compute_shear_rates<dim>(mesh_.cells, effects_.least_viscous_volume, nodes_.xp, nodes_.v, shear_rate_);
+    cell_viscosity_.resize(shear_rate_.size());
+    rheology.viscosity(shear_rate_.data(), cell_viscosity_.data(), shear_rate_.size());
+    effects_.cell_viscosity = cell_viscosity_.data();
   }
 
 

@@ -50,6 +50,7 @@ namespace Breakwater
     // pfem_fluid.cc: one time step
     void              update_pressure();
     void              update_forces();
+    void              update_viscosity();
     void              update_body_acceleration();
     void              diffuse_density(double time_step);
     void              filter_velocity();
@@ -88,6 +89,8 @@ namespace Breakwater
     bool                  body_force_is_uniform_ = true;
     std::vector<Vec<dim>> body_acceleration_; ///< one for all nodes if uniform, else one per node [m/s^2]
     std::vector<double>   pressure_buffer_;
+    std::vector<double>   shear_rate_;      ///< of the cells of a fluid that is not Newtonian [1/s]
+    std::vector<double>   cell_viscosity_;  ///< of a fluid that is not Newtonian [Pa s]
     std::vector<Vec<dim>> contact_impulse_; ///< of leaked nodes, to be given to the interface nodes [kg m/s]
 
     double        time_                 = 0; ///< [s]

@@ -93,8 +93,6 @@ namespace Breakwater
     rheology.check_parameters(reader);
     time_step_bound.check_parameters(reader);
     mesh_smoothers.check_parameters(reader);
-    if (!rheology.front().is_newtonian())
-      reader.fail("Rheology", "only a constant viscosity is possible so far");
     {
       SectionScope scope(reader, "Initial state");
       initial_state.shape = parse_box<dim>(initial_state.shape_text, reader, "Shape", {"box"});
