@@ -385,6 +385,56 @@ TYPED_TEST(Passes, ViscousForcesNeverMakeEnergyNotEvenInInvertedCells)
 }
 
 
+TYPED_TEST(Passes, ShearRateIsThatOfTheFlow)
+{
+  constexpr int       dim = TypeParam::value;
+  Tangle<dim>         t(0.);
+  std::vector<double> rate;
+  const auto          expect = [&](const double gradient[3][3], const double expected) {
+    set_linear_velocity(t, gradient);
+    compute_shear_rates<dim>(t.cells(), 0., t.x, t.v, rate);
+    ASSERT_EQ(rate.size(), t.cells().size());
+    for (const double r : rate)
+      EXPECT_NEAR(r, expected, 1e-12);
+  };
+  const double shear[3][3] = {{0, -2, 0}, {0, 0, 0}, {0, 0, 0}}, stretch[3][3] = {{3, 0, 0}, {0, -3, 0}, {0, 0, 0}},
+               rotation[3][3] = {{0, -2, 1}, {2, 0, -3}, {-1, 3, 0}};
+  expect(shear, 2.);
+  expect(stretch, 6.); // sqrt(2 (9 + 9))
+  expect(rotation, 0.);
+}
+
+
+TYPED_TEST(Passes, ViscosityMayDifferFromCellToCell)
+{
+  constexpr int       dim = TypeParam::value;
+  const Tangle<dim>   t;
+  ForceEffects        effects = effects_of(true, false);
+  const auto          uniform = t.forces(effects);
+  std::vector<double> viscosity(t.cells().size(), effects.viscosity);
+  effects.viscosity      = 1e9; // does not count
+  effects.cell_viscosity = viscosity.data();
+  EXPECT_LT(difference(t.forces(effects), uniform), 1e-14);
+
+  // Twice the viscosity in one cell: its nodes feel it, all others do not.
+  const auto &cell = t.cells().front();
+  viscosity[0] *= 2;
+  const auto mixed = t.forces(effects);
+  for (unsigned int i = 0; i < mixed.size(); ++i)
+    {
+      const bool in_cell = std::find(cell.begin(), cell.end(), i) != cell.end();
+      if (in_cell)
+        {
+          EXPECT_NE(mixed[i][0], uniform[i][0]);
+        }
+      else
+        {
+          EXPECT_EQ(mixed[i][0], uniform[i][0]);
+        }
+    }
+}
+
+
 TYPED_TEST(Passes, DensityFluxIsBlindToAHydrostaticDensity)
 {
   constexpr int dim = TypeParam::value;

@@ -215,6 +215,19 @@ TYPED_TEST(Contact, SignedDistanceIsThatOfABox)
 }
 
 
+// In front of a sharp edge a place lies behind one of the two faces, and is outside all the same.
+TEST(SharpContact, KnowsOutsideFromInsideAtASharpEdge)
+{
+  WetSurface<2> wedge;
+  wedge.position = {{{0., 0.}}, {{1., -0.1}}, {{1., 0.1}}};
+  wedge.facets   = {{0, 1}, {1, 2}, {2, 0}};
+  const AdoptedSurface<2> surface(wedge);
+  for (const double y : {-0.02, -0.001, 0., 0.001, 0.02})
+    EXPECT_NEAR(surface.signed_distance({{-0.01, y}}, 1.), std::hypot(0.01, y), 1e-15) << y;
+  EXPECT_LT(surface.signed_distance({{0.01, 0.}}, 1.), 0.);
+}
+
+
 TYPED_TEST(Contact, PushesLeakedNodesOutAndHandsTheirMomentumOn)
 {
   constexpr int   dim  = TypeParam::value;
