@@ -23,13 +23,14 @@ namespace Breakwater
     std::vector<Quad> force;         ///< force of the fluid's stresses [N]; fourth: flux of density, see kernels.h
     std::vector<Quad> density_slope; ///< density [kg/m^3] and its hydrostatic gradient [kg/m^4], see kernels.h
 
-    std::vector<double> mass;             ///< fluid mass [kg], the same between two remeshes
-    std::vector<double> base_density;     ///< rho_b: density at the reference volume [kg/m^3]
-    std::vector<double> density;          ///< rho = rho_b / J [kg/m^3]
-    std::vector<double> volume;           ///< V: share of the cells around [m^dim], signed
-    std::vector<double> reference_volume; ///< V0: volume at the last remesh
-    std::vector<double> stiffness_volume; ///< Vhat >= V0: what a change of volume is measured by
-    std::vector<double> companion_mass;   ///< mass of another domain that moves with an interface node [kg]
+    std::vector<double> mass;              ///< fluid mass [kg], the same between two remeshes
+    std::vector<double> base_density;      ///< rho_b: density at the reference volume [kg/m^3]
+    std::vector<double> density;           ///< rho = rho_b / J [kg/m^3]
+    std::vector<double> volume;            ///< V: share of the cells around [m^dim], signed
+    std::vector<double> reference_volume;  ///< V0: volume at the last remesh
+    std::vector<double> stiffness_volume;  ///< Vhat >= V0: what a change of volume is measured by
+    std::vector<double> companion_mass;    ///< mass of another domain that moves with an interface node [kg]
+    std::vector<double> hydrostatic_slope; ///< rho / c^2 at the last remesh [s^2/m^2 kg/m^3]
     std::vector<Quad>   position_at_remesh;
 
     std::vector<std::uint32_t> contacts;   ///< walls that hold the node now
@@ -42,8 +43,8 @@ namespace Breakwater
       n = size;
       for (auto *quads : {&xp, &v, &a, &force, &density_slope, &position_at_remesh})
         quads->resize(size);
-      for (auto *doubles :
-           {&mass, &base_density, &density, &volume, &reference_volume, &stiffness_volume, &companion_mass})
+      for (auto *doubles : {&mass, &base_density, &density, &volume, &reference_volume, &stiffness_volume,
+                            &companion_mass, &hydrostatic_slope})
         doubles->resize(size, 0.);
       contacts.resize(size, 0);
       walls.resize(size, 0);

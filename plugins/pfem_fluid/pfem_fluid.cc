@@ -162,14 +162,11 @@ namespace Breakwater
 
     if (effects_.density_diffusion)
       {
-        // The hydrostatic gradient of the density in a fluid that accelerates by a is rho0 / c^2 (g - a).
-        const EquationOfState &state = parameters_.equation_of_state.front();
-        const double           c     = state.sound_speed(state.reference_density());
-        const double           slope = state.reference_density() / (c * c);
+        // The hydrostatic gradient of the density in a fluid that accelerates by a is rho / c^2 (g - a).
         for (std::size_t i = 0; i < nodes_.n; ++i)
           {
             for (int d = 0; d < dim; ++d)
-              nodes_.density_slope[i][d] = slope * (body(i)[d] - nodes_.a[i][d]);
+              nodes_.density_slope[i][d] = nodes_.hydrostatic_slope[i] * (body(i)[d] - nodes_.a[i][d]);
             nodes_.density_slope[i][3] = nodes_.density[i];
           }
       }
@@ -509,6 +506,7 @@ namespace Breakwater
       visit(nodes.reference_volume);
       visit(nodes.stiffness_volume);
       visit(nodes.companion_mass);
+      visit(nodes.hydrostatic_slope);
       visit(nodes.position_at_remesh);
       visit(nodes.contacts);
       visit(nodes.walls);

@@ -391,8 +391,9 @@ namespace Breakwater
         nodes_.reference_volume[i] = nodes_.volume[i];
         nodes_.stiffness_volume[i] = std::max(
           {nodes_.volume[i], 0.1 * regular_volume<dim>(h), density * h * h * row_sums[i] / parameters_.softening});
-        const double c = state.sound_speed(nodes_.base_density[i]);
-        largest        = std::max(largest, nodes_.base_density[i] * c * c / nodes_.stiffness_volume[i] * row_sums[i]);
+        const double c              = state.sound_speed(nodes_.base_density[i]);
+        nodes_.hydrostatic_slope[i] = nodes_.base_density[i] / (c * c);
+        largest = std::max(largest, nodes_.base_density[i] * c * c / nodes_.stiffness_volume[i] * row_sums[i]);
       }
     spectral_bound_ = largest > 0 ? 2. / std::sqrt(largest) : std::numeric_limits<double>::infinity();
   }
