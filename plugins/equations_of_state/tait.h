@@ -2,6 +2,8 @@
 
 #include <breakwater/interfaces/equation_of_state.h>
 
+#include "power_law.h"
+
 namespace Breakwater
 {
   /// The Tait equation of a weakly compressible liquid, p = p0 + K [(rho / rho0)^gamma - 1].
@@ -13,11 +15,14 @@ namespace Breakwater
     void declare_parameters(ParameterReader &reader) override;
     void check_parameters(ParameterReader &reader) override;
 
-    double reference_density() const override { return zero_density_; }
-    void   pressure(const double *density, double *pressure, std::size_t n) const override;
-    double density(double pressure) const override;
-    double sound_speed(double density) const override;
-    double specific_energy(double density) const override;
+    double reference_density() const override { return law_.zero_density; }
+    void   pressure(const double *density, double *pressure, std::size_t n) const override
+    {
+      law_.pressure_of(density, pressure, n);
+    }
+    double density(double pressure) const override { return law_.density_at(pressure); }
+    double sound_speed(double density) const override { return law_.sound_speed_at(density); }
+    double specific_energy(double density) const override { return law_.specific_energy_at(density); }
 
   private:
     double reference_density_  = 1000; ///< rho0 [kg/m^3]
@@ -26,8 +31,6 @@ namespace Breakwater
     double bulk_modulus_       = 0; ///< K [Pa], 0: not given
     double sound_speed_        = 0; ///< c0 [m/s], 0: not given
 
-    // The same law written around the density of zero pressure: p = A [(rho / rho_z)^gamma - 1].
-    double modulus_      = 0; ///< A = K - p0 [Pa]
-    double zero_density_ = 0; ///< rho_z [kg/m^3]
+    PowerLaw law_; ///< A = K - p0
   };
 } // namespace Breakwater

@@ -1,10 +1,14 @@
 #include <equations_of_state/linear.h>
+#include <equations_of_state/stiffened_gas.h>
 #include <equations_of_state/tait.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
+#include <string>
 
 #include "given_parameters.h"
+#include "unit/base/message_of.h"
 
 using namespace Breakwater;
 
@@ -87,6 +91,99 @@ namespace
     check_consistency(linear, 900);
     GivenParameters::read(linear, {{"Bulk modulus", "80000"}, {"Sound speed", "0"}});
     EXPECT_NEAR(linear.sound_speed(800), 10, 1e-12);
+  }
+
+  TEST(StiffenedGas, IsTheIsentropeOfTheFullLaw)
+  {
+    // p = (gamma - 1) rho e - gamma p_inf along de = p / rho^2 drho, integrated from (rho0, p0) by Runge and Kutta.
+    const double gamma = 4.4, p_inf = 6e8, p0 = 1e5, rho0 = 1000;
+    StiffenedGas gas;
+    GivenParameters::read(gas, {{"Stiffness pressure", "6e8"}, {"Reference pressure", "1e5"}});
+    const auto slope = [&](const double rho, const double e) {
+      return ((gamma - 1) * rho * e - gamma * p_inf) / (rho * rho);
+    };
+    double             e = (p0 + gamma * p_inf) / ((gamma - 1) * rho0), rho = rho0;
+    const unsigned int n_steps = 200;
+    const double       d       = 100. / n_steps;
+    for (unsigned int step = 0; step < n_steps; ++step)
+      {
+        const double k1 = slope(rho, e), k2 = slope(rho + d / 2, e + d / 2 * k1);
+        const double k3 = slope(rho + d / 2, e + d / 2 * k2), k4 = slope(rho + d, e + d * k3);
+        e += d / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
+        rho += d;
+      }
+    const double expected = (gamma - 1) * rho * e - gamma * p_inf;
+    EXPECT_NEAR(pressure_at(gas, rho) / expected, 1, 1e-9);
+    EXPECT_NEAR(gas.sound_speed(rho), std::sqrt(gamma * (expected + p_inf) / rho), 1e-6);
+    // The two energies differ by a constant.
+    EXPECT_NEAR((gas.specific_energy(rho) - gas.specific_energy(rho0)) /
+                  (e - (p0 + gamma * p_inf) / ((gamma - 1) * rho0)),
+                1, 1e-9);
+  }
+
+  TEST(StiffenedGas, IsConsistentForAnyConstants)
+  {
+    for (const std::string gamma : {"1", "1.4", "4.4", "7"})
+      for (const std::string reference_pressure : {"0", "1e5", "-1e5"})
+        {
+          StiffenedGas gas;
+          GivenParameters::read(
+            gas, {{"Stiffness pressure", "3e5"}, {"Gamma", gamma}, {"Reference pressure", reference_pressure}});
+          EXPECT_NEAR(pressure_at(gas, 1000), std::stod(reference_pressure), 1e-8);
+          check_rest(gas);
+          for (const double rho : {950., 1001., 1200.})
+            check_consistency(gas, rho);
+        }
+  }
+
+  TEST(StiffenedGas, IsTaitWithTheSumOfPressuresAsBulkModulus)
+  {
+    StiffenedGas gas;
+    GivenParameters::read(gas, {{"Stiffness pressure", "2e5"}, {"Gamma", "7"}, {"Reference pressure", "1e5"}});
+    Tait tait;
+    GivenParameters::read(tait, {{"Bulk modulus", "3e5"}, {"Gamma", "7"}, {"Reference pressure", "1e5"}});
+    for (const double rho : {900., 1000., 1100.})
+      {
+        EXPECT_NEAR(pressure_at(gas, rho), pressure_at(tait, rho), 1e-9 * 3e5);
+        EXPECT_NEAR(gas.specific_energy(rho), tait.specific_energy(rho), 1e-12 * 300);
+      }
+  }
+
+  TEST(StiffenedGas, PerfectGasRelativeToTheAmbientPressure)
+  {
+    StiffenedGas air;
+    GivenParameters::read(air, {{"Reference density", "1.2"}, {"Gamma", "1.4"}, {"Stiffness pressure", "1e5"}});
+    EXPECT_NEAR(pressure_at(air, 2.4), 1e5 * (std::pow(2, 1.4) - 1), 1e-8);
+    EXPECT_NEAR(air.sound_speed(1.2), std::sqrt(1.4 * 1e5 / 1.2), 1e-10);
+  }
+
+  TEST(StiffenedGas, SoundSpeedGivesTheStiffnessPressure)
+  {
+    StiffenedGas gas;
+    GivenParameters::read(gas, {{"Sound speed", "30"}, {"Reference pressure", "5e4"}});
+    EXPECT_NEAR(gas.sound_speed(1000), 30, 1e-12);
+    EXPECT_NEAR(pressure_at(gas, 1000), 5e4, 1e-8);
+  }
+
+  TEST(StiffenedGas, RefusesConstantsWithoutMeaning)
+  {
+    using Values             = std::map<std::string, std::string>;
+    const auto message_about = [](const Values &values) {
+      StiffenedGas gas;
+      return message_of([&] {
+        GivenParameters::read(gas, values);
+      });
+    };
+    const auto starts_with = [](const std::string &text, const std::string &start) {
+      return text.compare(0, start.size(), start) == 0;
+    };
+    const Values both = {{"Stiffness pressure", "1e5"}, {"Sound speed", "30"}};
+    EXPECT_TRUE(starts_with(message_about(both), "Stiffness pressure: give either"));
+    EXPECT_TRUE(starts_with(message_about({}), "Sound speed: the fluid's stiffness is missing"));
+    const Values silent = {{"Stiffness pressure", "1e5"}, {"Reference pressure", "-1e5"}};
+    EXPECT_TRUE(starts_with(message_about(silent), "Reference pressure: must be above minus"));
+    const Values hard = {{"Sound speed", "10"}, {"Gamma", "4"}, {"Reference pressure", "25000"}};
+    EXPECT_TRUE(starts_with(message_about(hard), "Reference pressure: must be below"));
   }
 
   template <class State>
