@@ -197,7 +197,8 @@ namespace Breakwater
     note("body forces", !body_forces_.empty());
     note("fluid", !fluid_.empty());
     note("structure", !structures_.empty());
-    note("coupling", !coupler_.empty());
+    if (coupler_.empty()) // a coupler notes itself, with its kind
+      note("coupling", false);
     note("postprocessors", !postprocessors_.empty());
   }
 
