@@ -22,4 +22,3 @@ for scene in "${scenes[@]}"; do
   say "Running $scene"
   "$root/build/bin/breakwater" "$scene" ${options[@]+"${options[@]}"}
 done
-say "In the folder of results: history.csv (curves), solution.pvd (for ParaView), summary.json"

@@ -73,7 +73,8 @@ namespace
     std::signal(SIGTERM, request_stop);
     const bool is_finished = simulation.run(options, parameters.str());
     const auto directory   = simulation.output_directory(options).string();
-    std::cout << "Results are in " << directory << std::endl;
+    std::cout << "Results are in " << directory
+              << ": history.csv (curves), solution.pvd (fields, for ParaView), summary.json" << std::endl;
     if (!is_finished)
       std::cerr << "interrupted; --resume goes on from the checkpoint in " << directory << "\n";
     return is_finished ? success : breakdown;
