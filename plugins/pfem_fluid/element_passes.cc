@@ -251,11 +251,13 @@ namespace Breakwater
       }
 
       template <int dim>
-      void filter_impulses(const unsigned int *cells, const std::size_t n_cells, const double weight, const Quad *xp,
-                           const Quad *v, const Quad *gradient, const double *node_density, Quad *impulse)
+      void filter_impulses(const unsigned int *cells, const std::size_t n_cells, const FilterWeights &weights,
+                           const Quad *xp, const Quad *v, const Quad *gradient, const double *node_density,
+                           const double *inverse_mass, Quad *impulse)
       {
-        constexpr int n     = dim + 1;
-        const V4      share = all(1. / n);
+        constexpr int    n           = dim + 1;
+        constexpr double n_neighbors = dim == 2 ? 13. : 60.; // cells that share a node with one, itself included
+        const V4         share       = all(1. / n);
         for (std::size_t c = 0; c < n_cells; ++c)
           {
             const unsigned int *cell    = cells + c * n;
@@ -274,17 +276,32 @@ namespace Breakwater
                 for (int d = 0; d < dim; ++d)
                   row[d] += load(gradient[cell[a] * dim + d]);
               }
-            const V4 mass = all(-weight * density * __builtin_fabs(volume_of<dim>(x)) / n);
+            V4           area[n];
+            const double volume = geometry<dim>(x, area), size = __builtin_fabs(volume);
+            const V4     mass = all(-weights.deviation * density * size / n);
             x_mean *= share;
             u_mean *= share;
             for (int d = 0; d < dim; ++d)
               row[d] *= share;
+            V4 flux = all(0.); // sum of v . A, lane by lane
+            for (int a = 0; a < n; ++a)
+              flux += u[a] * area[a];
+            double mean_divergence = row[0][0] + row[1][1], w = flux[0] + flux[1];
+            if constexpr (dim == 3)
+              {
+                mean_divergence += row[2][2];
+                w += flux[2];
+              }
+            double compliance = 0; // of the cell's volume to a pressure impulse: sum of |A|^2 / m
+            for (int a = 0; a < n; ++a)
+              compliance += dot3(area[a], area[a]) * inverse_mass[cell[a]];
+            const V4 push = all(-weights.divergence / n_neighbors * (w - volume * mean_divergence) / compliance);
             for (int a = 0; a < n; ++a)
               {
                 const V4 dx     = x[a] - x_mean; // the fourth lane of the rows is zero
                 const V4 linear = lane_sums(row[0] * dx, row[1] * dx, row[2] * dx, all(0.));
                 Quad    &sum    = impulse[cell[a]];
-                store(sum, load(sum) + mass * (u[a] - u_mean - linear));
+                store(sum, load(sum) + mass * (u[a] - u_mean - linear) + push * area[a]);
               }
           }
       }

@@ -24,6 +24,13 @@ namespace Breakwater
     double        least_viscous_volume = 0; ///< cells smaller than this count as this big in viscous forces [m^dim]
   };
 
+  /// Weights of the velocity filter, see filter_impulses() in kernels.h.
+  struct FilterWeights
+  {
+    double deviation  = 0; ///< of what deviates from a locally linear velocity [-]
+    double divergence = 0; ///< of what deviates from the mean divergence around [-]
+  };
+
   /// The loops over cells, compiled once per instruction set (element_passes.cc). Cells are arrays [cell][dim + 1].
   struct ElementPasses
   {
@@ -38,8 +45,9 @@ namespace Breakwater
     void (*velocity_gradients)(const unsigned int *cells, std::size_t n_cells, const Quad *xp, const Quad *v,
                                Quad *gradient);
     /// Adds the impulses of the velocity filter, see filter_impulses() in kernels.h.
-    void (*filter_impulses)(const unsigned int *cells, std::size_t n_cells, double weight, const Quad *xp,
-                            const Quad *v, const Quad *gradient, const double *node_density, Quad *impulse);
+    void (*filter_impulses)(const unsigned int *cells, std::size_t n_cells, const FilterWeights &weights,
+                            const Quad *xp, const Quad *v, const Quad *gradient, const double *node_density,
+                            const double *inverse_mass, Quad *impulse);
     /// First half of a sweep of the mass exchange: `request` [cell][corner] is what each corner would get,
     /// -weight (e_a - mean e) over the corners that take part (`active` 1, else 0); `given` adds up what nodes give.
     void (*exchange_requests)(const unsigned int *cells, std::size_t n_cells, const double *cell_weight,

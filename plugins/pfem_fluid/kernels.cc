@@ -48,9 +48,10 @@ namespace Breakwater
 
 
   template <int dim>
-  void filter_impulses(const std::vector<typename SimplexMesh<dim>::Cell> &cells, const double weight,
+  void filter_impulses(const std::vector<typename SimplexMesh<dim>::Cell> &cells, const FilterWeights &weights,
                        const std::vector<Quad> &xp, const std::vector<Quad> &v, const std::vector<double> &volume,
-                       const double least_volume, const std::vector<double> &node_density, std::vector<Quad> &impulse)
+                       const double least_volume, const std::vector<double> &node_density,
+                       const std::vector<double> &inverse_mass, std::vector<Quad> &impulse)
   {
     impulse.assign(xp.size(), Quad());
     if (cells.empty())
@@ -65,8 +66,8 @@ namespace Breakwater
             gradient[i * dim + d][e] *= scale;
           gradient[i * dim + d][3] = 0;
         }
-    element_passes<dim>().filter_impulses(cells.front().data(), cells.size(), weight, xp.data(), v.data(),
-                                          gradient.data(), node_density.data(), impulse.data());
+    element_passes<dim>().filter_impulses(cells.front().data(), cells.size(), weights, xp.data(), v.data(),
+                                          gradient.data(), node_density.data(), inverse_mass.data(), impulse.data());
   }
 
 
@@ -89,8 +90,9 @@ namespace Breakwater
                                     std::vector<Quad> &);                                                              \
   template void   compute_shear_rates<dim>(const std::vector<SimplexMesh<dim>::Cell> &, double,                          \
                                          const std::vector<Quad> &, const std::vector<Quad> &, std::vector<double> &); \
-  template void   filter_impulses<dim>(const std::vector<SimplexMesh<dim>::Cell> &, double, const std::vector<Quad> &,   \
-                                     const std::vector<Quad> &, const std::vector<double> &, double,                   \
+  template void   filter_impulses<dim>(const std::vector<SimplexMesh<dim>::Cell> &, const FilterWeights &,               \
+                                     const std::vector<Quad> &, const std::vector<Quad> &,                             \
+                                     const std::vector<double> &, double, const std::vector<double> &,                 \
                                      const std::vector<double> &, std::vector<Quad> &);                                \
   template double largest_relative_displacement<dim>(const std::vector<SimplexMesh<dim>::Cell> &,                        \
                                                      const std::vector<Quad> &, const std::vector<Quad> &);

@@ -56,7 +56,8 @@ namespace Breakwater
     effects_.least_viscous_volume = 0.01 * regular_volume<dim>(parameters_.spacing);
     context.note_effect("viscosity", effects_.viscous, "the rheology is inviscid");
     context.note_effect("density diffusion", effects_.density_diffusion, "its coefficient is 0");
-    context.note_effect("velocity filter", parameters_.filter_weight > 0, "its weight is 0");
+    filters_velocity_ = parameters_.filter_weight > 0 || parameters_.divergence_filter_weight > 0;
+    context.note_effect("velocity filter", filters_velocity_, "its weights are 0");
     context.note_effect("tension", parameters_.tension == "allowed", "pressure below zero is cut off");
     context.note_effect("mesh smoothing", !parameters_.mesh_smoothers.empty(),
                         "no smoother is named; the spectral bound does not need one");
@@ -270,7 +271,7 @@ namespace Breakwater
   {
     PhaseTimer timer(*context_, Phase::solver);
     check_state();
-    if (parameters_.filter_weight > 0 && ++n_steps_since_filter_ >= parameters_.filter_period)
+    if (filters_velocity_ && ++n_steps_since_filter_ >= parameters_.filter_period)
       {
         filter_velocity();
         n_steps_since_filter_ = 0;
@@ -349,12 +350,15 @@ namespace Breakwater
   {
     // Interface nodes and their cells take no part: their density is left at zero.
     const double        least_volume = 0.1 * regular_volume<dim>(parameters_.spacing);
-    std::vector<double> node_density(nodes_.n, 0.);
+    std::vector<double> node_density(nodes_.n, 0.), inverse_mass(nodes_.n, 0.);
     for (std::size_t i = nodes_.n_interface; i < nodes_.n; ++i)
-      node_density[i] = nodes_.mass[i] / std::max(nodes_.volume[i], least_volume);
+      {
+        node_density[i] = nodes_.mass[i] / std::max(nodes_.volume[i], least_volume);
+        inverse_mass[i] = 1. / nodes_.mass[i];
+      }
     std::vector<Quad> impulse;
-    filter_impulses<dim>(mesh_.cells, parameters_.filter_weight, nodes_.xp, nodes_.v, nodes_.volume, least_volume,
-                         node_density, impulse);
+    filter_impulses<dim>(mesh_.cells, {parameters_.filter_weight, parameters_.divergence_filter_weight}, nodes_.xp,
+                         nodes_.v, nodes_.volume, least_volume, node_density, inverse_mass, impulse);
     for (std::size_t i = nodes_.n_interface; i < nodes_.n; ++i)
       if (nodes_.has_cells[i])
         {

@@ -87,6 +87,7 @@ namespace Breakwater
     AdoptedSurface<dim>   adopted_;
     ForceEffects          effects_;
     bool                  body_force_is_uniform_ = true;
+    bool                  filters_velocity_      = true;
     std::vector<Vec<dim>> body_acceleration_; ///< one for all nodes if uniform, else one per node [m/s^2]
     std::vector<double>   pressure_buffer_;
     std::vector<double>   shear_rate_;      ///< of the cells of a fluid that is not Newtonian [1/s]

@@ -54,6 +54,10 @@ namespace Breakwater
       reader.add("Velocity filter", filter_weight,
                  "Part of the velocity's deviation from a locally linear field that is taken away [-]; 0: none.",
                  {0., 0.5});
+      reader.add("Divergence filter", divergence_filter_weight,
+                 "Weight with which the filter takes away what deviates from the mean divergence around a cell [-]; "
+                 "0: none. Without it water at rest slowly stirs itself.",
+                 {0., 2.});
       reader.add("Velocity filter period", filter_period, "Steps from one use of the filter to the next.", 1);
       reader.add("Softening", softening,
                  "Upper limit G on h^2/c^2 times the squared nodal frequency: the few stiffer nodes, light ones at "
