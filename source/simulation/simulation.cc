@@ -246,11 +246,15 @@ namespace Breakwater
       {
         advance();
         write_due_output(false);
-        write_due_checkpoint(false);
+        write_due_checkpoint();
         progress_->update(time_, time_step_, *context_);
       }
-    write_due_output(true);
-    write_due_checkpoint(true);
+    // An interrupted run keeps to the output times: resumed, it must write what it would have written.
+    const bool is_finished = time_ >= header_.end_time;
+    if (is_finished)
+      write_due_output(true);
+    else
+      write_checkpoint();
     progress_.reset();
   }
 

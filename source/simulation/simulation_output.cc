@@ -221,23 +221,21 @@ namespace Breakwater
   }
 
   template <int dim>
-  void Simulation<dim>::write_due_checkpoint(const bool is_last)
+  void Simulation<dim>::write_due_checkpoint()
   {
     const bool by_time = checkpoints_every_ > 0 && time_ - last_checkpoint_time_ >= checkpoints_every_ * (1 - 1e-9);
     const bool by_wall =
       checkpoints_every_wall_ > 0 && progress_->wall_seconds() - last_checkpoint_wall_ >= checkpoints_every_wall_;
-    const bool is_interrupted = is_last && time_ < header_.end_time;
-    if (is_last ? !is_interrupted : !(by_time || by_wall))
-      return;
-    PhaseTimer timer(*context_, Phase::output);
-    write_checkpoint();
-    last_checkpoint_wall_ = progress_->wall_seconds();
+    if (by_time || by_wall)
+      write_checkpoint();
   }
 
   template <int dim>
   void Simulation<dim>::write_checkpoint()
   {
+    PhaseTimer timer(*context_, Phase::output);
     last_checkpoint_time_   = time_;
+    last_checkpoint_wall_   = progress_->wall_seconds();
     const fs::path last     = context_->output_directory() / "checkpoint";
     const fs::path fresh    = context_->output_directory() / "checkpoint.new";
     const fs::path previous = context_->output_directory() / "checkpoint.old";

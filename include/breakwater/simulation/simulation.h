@@ -102,7 +102,7 @@ namespace Breakwater
     void write_history();
     void write_fields();
 
-    void write_due_checkpoint(bool is_last);
+    void write_due_checkpoint();
     void write_checkpoint();
     void load_checkpoint();
 
