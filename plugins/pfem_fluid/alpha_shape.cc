@@ -99,7 +99,8 @@ namespace Breakwater
 
   template <int dim>
   SimplexMesh<dim> alpha_shape(const std::vector<Vec<dim>> &position, const double largest_circumradius,
-                               const std::function<bool(const typename SimplexMesh<dim>::Cell &)> &keep)
+                               const std::function<bool(const typename SimplexMesh<dim>::Cell &)> &keep,
+                               const std::function<bool(const typename SimplexMesh<dim>::Cell &)> &is_small_anyway)
   {
     using T = Traits<dim>;
     typename T::Triangulation triangulation;
@@ -128,7 +129,9 @@ namespace Breakwater
         std::sort(sorted.begin(), sorted.end());
         for (int a = 0; a <= dim; ++a)
           corners[a] = position[sorted[a]];
-        const bool is_fluid = circumradius(corners) <= largest_circumradius && keep(cell);
+        const bool is_small =
+          circumradius(corners) <= largest_circumradius || (is_small_anyway && is_small_anyway(cell));
+        const bool is_fluid = is_small && keep(cell);
         handle->info()      = is_fluid ? 1 : 0;
         if (is_fluid)
           {
@@ -162,8 +165,10 @@ namespace Breakwater
 
 
   template SimplexMesh<2>            alpha_shape<2>(const std::vector<Vec<2>> &, double,
+                                         const std::function<bool(const SimplexMesh<2>::Cell &)> &,
                                          const std::function<bool(const SimplexMesh<2>::Cell &)> &);
   template SimplexMesh<3>            alpha_shape<3>(const std::vector<Vec<3>> &, double,
+                                         const std::function<bool(const SimplexMesh<3>::Cell &)> &,
                                          const std::function<bool(const SimplexMesh<3>::Cell &)> &);
   template std::vector<unsigned int> hilbert_order<2>(const std::vector<Vec<2>> &);
   template std::vector<unsigned int> hilbert_order<3>(const std::vector<Vec<3>> &);

@@ -15,9 +15,13 @@ namespace Breakwater
   ///
   /// @param position of the nodes [m]; of nodes at the same place only one gets cells
   /// @param keep tells for a cell (positively oriented) whether it is fluid; asked only for cells small enough
+  /// @param is_small_anyway tells for a cell beyond the largest circumradius whether it counts as small enough; the
+  /// default is that none does
   template <int dim>
-  SimplexMesh<dim> alpha_shape(const std::vector<Vec<dim>> &position, double largest_circumradius,
-                               const std::function<bool(const typename SimplexMesh<dim>::Cell &)> &keep);
+  SimplexMesh<dim> alpha_shape(
+    const std::vector<Vec<dim>> &position, double largest_circumradius,
+    const std::function<bool(const typename SimplexMesh<dim>::Cell &)> &keep,
+    const std::function<bool(const typename SimplexMesh<dim>::Cell &)> &is_small_anyway = {});
 
   /// The numbers of the points in the order of a Hilbert curve.
   template <int dim>

@@ -44,6 +44,35 @@ namespace Breakwater
       report.smallest_radius = *std::min_element(radii.begin(), radii.end());
       return report;
     }
+    /// True for a flat cell between a node close to a wall and a facet of the wall that is itself small enough.
+    ///
+    /// Its circumradius is large only because the node has come close to the wall. Without the cell there would be a
+    /// free surface at the wall, deep in the fluid, and the pressure there would push into the hole.
+    template <int dim>
+    bool is_cap_on_wall(const typename SimplexMesh<dim>::Cell &cell, const std::vector<Vec<dim>> &position,
+                        const std::vector<std::uint32_t> &walls, const double largest_circumradius)
+    {
+      const Simplex<dim> x = corners(position, cell);
+      for (int apex = 0; apex <= dim; ++apex)
+        {
+          std::uint32_t common          = ~std::uint32_t(0);
+          double        longest_on_wall = 0, longest_to_apex = 0;
+          for (int a = 0; a <= dim; ++a)
+            if (a != apex)
+              {
+                common &= walls[cell[a]];
+                longest_to_apex = std::max(longest_to_apex, norm(x[a] - x[apex]));
+                for (int b = 0; b < a; ++b)
+                  if (b != apex)
+                    longest_on_wall = std::max(longest_on_wall, norm(x[a] - x[b]));
+              }
+          // A triangle's longest side is at least sqrt(3) times its circumradius if it is not obtuse.
+          const double largest_side = (dim == 2 ? 2. : std::sqrt(3.)) * largest_circumradius;
+          if (common != 0 && longest_on_wall <= largest_side && longest_to_apex <= longest_on_wall)
+            return true;
+        }
+      return false;
+    }
   } // namespace
 
 
@@ -100,8 +129,11 @@ namespace Breakwater
     // Hydrostatic pressure: zero at the corner of the shape that lies highest against a uniform body force.
     update_body_acceleration();
     const Vec<dim> g           = body_acceleration_.front();
-    const bool     hydrostatic = parameters_.initial_state.pressure == "hydrostatic" && body_force_is_uniform_;
-    double         highest     = 0;
+    const bool     hydrostatic = parameters_.initial_state.pressure == "hydrostatic";
+    if (hydrostatic && !body_force_is_uniform_)
+      throw InputError("The initial pressure of the fluid can't be hydrostatic, because a body force changes in space "
+                       "or time. Set Fluid/Pfem/Initial state/Pressure = zero.");
+    double highest = 0;
     for (int d = 0; d < dim; ++d)
       highest += std::min(g[d] * shape.lower[d], g[d] * shape.upper[d]);
     const double c = state.sound_speed(state.reference_density());
@@ -225,7 +257,10 @@ namespace Breakwater
         return false;
       return !has_interface || adopted_.accepts(cell, nodes_);
     };
-    mesh_                     = alpha_shape<dim>(position, parameters_.alpha * h, keep);
+    const auto lies_on_wall = [&](const typename SimplexMesh<dim>::Cell &cell) {
+      return is_cap_on_wall(cell, position, nodes_.walls, parameters_.alpha * h);
+    };
+    mesh_                     = alpha_shape<dim>(position, parameters_.alpha * h, keep, lies_on_wall);
     nodes_.position_at_remesh = nodes_.xp;
   }
 

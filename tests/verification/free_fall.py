@@ -11,7 +11,8 @@ for dimension, settings in ((2, {}),
     history = run("verification/free_block.prm", {
         "End time": 0.5, "Output/History every": 0.1, "Fluid/Pfem/Remeshing/Largest strain": 0.01,
         "Fluid/Pfem/Tension": "none", "Fluid/Pfem/Stabilization/Density diffusion": 0.5,
-        "Fluid/Pfem/Stabilization/Velocity filter": 0.2, **settings})
+        "Fluid/Pfem/Stabilization/Velocity filter": 0.2, "Fluid/Pfem/Stabilization/Divergence filter": 1.5,
+        **settings})
     summary, remeshing = read_summary(), read_columns("output/remeshing.csv")
     expected = -history["fluid mass [kg]"][0] * GRAVITY * history["time [s]"][-1]
     axes = "xyz"[:dimension]
