@@ -1,0 +1,158 @@
+// Speed of the fluid's loops over cells, of the triangulation and of the machine itself.
+//
+// items_per_second counts cells (for a full step: cell-steps) by CPU time; the machine's limits are the peak of
+// multiply-adds that the compiler reaches (items: flops) and the triad of McCalpin's STREAM (bytes_per_second).
+
+#include <pfem_fluid/alpha_shape.h>
+#include <pfem_fluid/initial_state.h>
+#include <pfem_fluid/kernels.h>
+
+#include <benchmark/benchmark.h>
+
+#include <cmath>
+#include <map>
+#include <random>
+
+namespace
+{
+  using namespace Breakwater;
+
+  /// A cube of about n nodes with random velocities and pressures.
+  struct Cloud
+  {
+    std::vector<Vec<3>>     position;
+    SimplexMesh<3>          mesh;
+    std::vector<Quad>       xp, v, density_slope, force;
+    std::vector<double>     volume;
+    static constexpr double spacing = 0.01;
+
+    explicit Cloud(const double n_nodes)
+    {
+      InitialState<3> state;
+      const double    side = spacing * std::cbrt(n_nodes);
+      state.shape.upper    = {{side, side, side}};
+      const auto nodes     = fill_box(state, spacing);
+      for (const unsigned int i : hilbert_order(nodes))
+        position.push_back(nodes[i]);
+      triangulate();
+      std::mt19937 random(1);
+      const auto   noise = [&]() {
+        return random() * (1. / std::mt19937::max());
+      };
+      xp.resize(position.size());
+      v = density_slope = force = xp;
+      volume.resize(xp.size());
+      for (std::size_t i = 0; i < xp.size(); ++i)
+        {
+          for (int d = 0; d < 3; ++d)
+            {
+              xp[i][d] = position[i][d];
+              v[i][d]  = noise();
+            }
+          xp[i][3]            = 1000 * noise();
+          density_slope[i][3] = 1000 + noise();
+        }
+    }
+
+    void triangulate()
+    {
+      mesh = alpha_shape<3>(position, 1.4 * spacing, [](const SimplexMesh<3>::Cell &) {
+        return true;
+      });
+    }
+  };
+
+  Cloud &cloud(const std::int64_t n_nodes)
+  {
+    static std::map<std::int64_t, Cloud> clouds; // one of each size for all benchmarks
+    return clouds.try_emplace(n_nodes, n_nodes).first->second;
+  }
+
+  template <class Work>
+  void repeat(benchmark::State &state, const Work &work)
+  {
+    Cloud &c = cloud(state.range(0));
+    for (auto _ : state)
+      work(c);
+    state.SetItemsProcessed(state.iterations() * c.mesh.cells.size());
+    state.counters["cells"] = c.mesh.cells.size();
+  }
+
+  void volumes(benchmark::State &state)
+  {
+    repeat(state, [](Cloud &c) {
+      compute_volumes<3>(c.mesh.cells, c.xp, c.volume);
+    });
+  }
+
+  ForceEffects effects(const bool viscous, const bool diffusion)
+  {
+    ForceEffects result;
+    result.viscous              = viscous;
+    result.density_diffusion    = diffusion;
+    result.viscosity            = 1e-3;
+    result.least_viscous_volume = 0.01 * std::pow(Cloud::spacing, 3);
+    return result;
+  }
+
+  /// The two passes of a step: volumes, then forces.
+  void step(benchmark::State &state, const bool viscous, const bool diffusion)
+  {
+    const ForceEffects chosen = effects(viscous, diffusion);
+    repeat(state, [&](Cloud &c) {
+      compute_volumes<3>(c.mesh.cells, c.xp, c.volume);
+      compute_forces<3>(c.mesh.cells, chosen, c.xp, c.v, c.density_slope, c.force);
+    });
+  }
+
+  void triangulation(benchmark::State &state)
+  {
+    repeat(state, [](Cloud &c) {
+      c.triangulate();
+    });
+    state.counters["nodes"] = cloud(state.range(0)).position.size();
+  }
+
+  void peak_multiply_adds(benchmark::State &state)
+  {
+    constexpr int n = 32;
+    double        x[n];
+    for (int i = 0; i < n; ++i)
+      x[i] = 1e-3 * i;
+    for (auto _ : state)
+      {
+        for (int k = 0; k < 1000; ++k)
+          for (int i = 0; i < n; ++i)
+            x[i] = x[i] * 0.999 + 1e-6;
+        benchmark::DoNotOptimize(x);
+      }
+    state.SetItemsProcessed(state.iterations() * 2000 * n);
+  }
+
+  void triad(benchmark::State &state)
+  {
+    std::vector<double> a(state.range(0)), b(state.range(0), 1.), c(state.range(0), 2.);
+    for (auto _ : state)
+      {
+        for (std::size_t i = 0; i < a.size(); ++i)
+          a[i] = b[i] + 0.5 * c[i];
+        benchmark::DoNotOptimize(a.data());
+        benchmark::ClobberMemory();
+      }
+    state.SetBytesProcessed(state.iterations() * 24 * a.size());
+  }
+} // namespace
+
+BENCHMARK(volumes)->Arg(2000)->Arg(13000)->Arg(120000)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(step, inviscid, false, false)->Arg(2000)->Arg(13000)->Arg(120000)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(step, viscous, true, false)->Arg(2000)->Arg(13000)->Arg(120000)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(step, diffusion, false, true)->Arg(2000)->Arg(13000)->Arg(120000)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(step, viscous_diffusion, true, true)
+  ->Arg(2000)
+  ->Arg(13000)
+  ->Arg(120000)
+  ->Unit(benchmark::kMillisecond);
+BENCHMARK(triangulation)->Arg(13000)->Arg(120000)->Unit(benchmark::kMillisecond);
+BENCHMARK(peak_multiply_adds);
+BENCHMARK(triad)->Arg(1 << 12)->Arg(1 << 17)->Arg(1 << 24);
+BENCHMARK_MAIN();
