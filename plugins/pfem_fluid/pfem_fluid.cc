@@ -2,6 +2,7 @@
 
 #include "volume_conservation.h"
 
+#include <breakwater/base/binary_stream.h>
 #include <breakwater/base/exceptions.h>
 
 #include <algorithm>
@@ -467,31 +468,6 @@ namespace Breakwater
 
   namespace
   {
-    template <class T>
-    void write(std::ostream &stream, const T &value)
-    {
-      stream.write(reinterpret_cast<const char *>(&value), sizeof(T));
-    }
-    template <class T>
-    void write(std::ostream &stream, const std::vector<T> &values)
-    {
-      write(stream, values.size());
-      stream.write(reinterpret_cast<const char *>(values.data()), values.size() * sizeof(T));
-    }
-    template <class T>
-    void read(std::istream &stream, T &value)
-    {
-      stream.read(reinterpret_cast<char *>(&value), sizeof(T));
-    }
-    template <class T>
-    void read(std::istream &stream, std::vector<T> &values)
-    {
-      std::size_t n = 0;
-      read(stream, n);
-      values.resize(n);
-      stream.read(reinterpret_cast<char *>(values.data()), n * sizeof(T));
-    }
-
     /// Calls `visit` with every number of the state, for saving and loading alike.
     template <class Nodes, class Mesh, class Visitor>
     void visit_nodes(Nodes &nodes, Mesh &mesh, const Visitor &visit)
@@ -526,7 +502,7 @@ namespace Breakwater
   void PfemFluid<dim>::save(std::ostream &stream) const
   {
     const auto visit = [&](const auto &value) {
-      write(stream, value);
+      write_binary(stream, value);
     };
     visit_nodes(nodes_, mesh_, visit);
     visit(contact_impulse_);
@@ -545,7 +521,7 @@ namespace Breakwater
   void PfemFluid<dim>::load(std::istream &stream)
   {
     const auto visit = [&](auto &value) {
-      read(stream, value);
+      read_binary(stream, value);
     };
     visit_nodes(nodes_, mesh_, visit);
     visit(contact_impulse_);
