@@ -1,12 +1,12 @@
 #include "gravouil_combescure.h"
 
+#include <breakwater/base/binary_stream.h>
 #include <breakwater/base/exceptions.h>
 #include <breakwater/base/parameter_reader.h>
 
 #include <algorithm>
 #include <cmath>
-#include <istream>
-#include <ostream>
+#include <cstdint>
 
 namespace Breakwater
 {
@@ -53,18 +53,6 @@ namespace Breakwater
       for (std::size_t i = 0; i < a.size(); ++i)
         a[i] = factor * (a[i] - b[i]);
       return a;
-    }
-
-    template <class Number>
-    void write(std::ostream &stream, const Number *values, const std::size_t n)
-    {
-      stream.write(reinterpret_cast<const char *>(values), n * sizeof(Number));
-    }
-
-    template <class Number>
-    void read(std::istream &stream, Number *values, const std::size_t n)
-    {
-      stream.read(reinterpret_cast<char *>(values), n * sizeof(Number));
     }
   } // namespace
 
@@ -436,29 +424,30 @@ namespace Breakwater
   template <int dim>
   void GravouilCombescure<dim>::save(std::ostream &stream) const
   {
-    const std::size_t n = first_.link_force.size();
-    write(stream, &n, 1);
-    write(stream, first_.link_force.data(), n);
-    write(stream, second_.link_force.data(), n);
-    write(stream, &is_started_, 1);
-    write(stream, &balance_, 1);
-    write(stream, &pseudo_energy_, 1);
+    write_binary(stream, static_cast<std::uint64_t>(first_.link_force.size()));
+    for (const Side *side : {&first_, &second_})
+      for (const Vec<dim> &force : side->link_force)
+        write_binary(stream, force);
+    write_binary(stream, is_started_);
+    write_binary(stream, balance_);
+    write_binary(stream, pseudo_energy_);
   }
 
 
   template <int dim>
   void GravouilCombescure<dim>::load(std::istream &stream)
   {
-    std::size_t n = 0;
-    read(stream, &n, 1);
-    if (!stream || n != first_.link_force.size())
+    std::uint64_t n = 0;
+    read_binary(stream, n);
+    if (n != first_.link_force.size())
       throw InputError("Coupling: the checkpoint has " + std::to_string(n) + " tied nodes, the scene " +
                        std::to_string(first_.link_force.size()) + ". Resume with the scene that wrote the checkpoint.");
-    read(stream, first_.link_force.data(), n);
-    read(stream, second_.link_force.data(), n);
-    read(stream, &is_started_, 1);
-    read(stream, &balance_, 1);
-    read(stream, &pseudo_energy_, 1);
+    for (Side *side : {&first_, &second_})
+      for (Vec<dim> &force : side->link_force)
+        read_binary(stream, force);
+    read_binary(stream, is_started_);
+    read_binary(stream, balance_);
+    read_binary(stream, pseudo_energy_);
   }
 
 

@@ -1,9 +1,8 @@
 #include "explicit_structure.h"
 
-#include "velocity_field.h"
-
 #include <breakwater/base/binary_stream.h>
 #include <breakwater/base/exceptions.h>
+#include <breakwater/base/expression.h>
 #include <breakwater/structure/structure.h>
 
 #include <algorithm>
@@ -27,6 +26,22 @@ namespace Breakwater
         text << (d > 0 ? ", " : "") << position[d];
       text << ") m";
       return text.str();
+    }
+
+    /// The velocity [m/s] that the expressions in `text` give at each node [m].
+    template <int dim>
+    std::vector<Vec<dim>> evaluate_velocity(const std::string &text, const std::vector<Vec<dim>> &nodes)
+    {
+      const Expression<dim> expression(text, dim, Expression<dim>::Variables::place);
+      std::vector<Vec<dim>> velocity(nodes.size());
+      for (std::size_t i = 0; i < nodes.size(); ++i)
+        for (int d = 0; d < dim; ++d)
+          {
+            velocity[i][d] = expression.value(nodes[i], 0., d);
+            if (!std::isfinite(velocity[i][d]))
+              throw InputError("\"" + text + "\" has no finite value at every node");
+          }
+      return velocity;
     }
   } // namespace
 
@@ -103,7 +118,7 @@ namespace Breakwater
         is_wet_ = parse_boundaries<dim>(wet_names_);
     });
     check("Initial velocity", [&] {
-      evaluate_expressions<dim>(split_expressions(initial_velocity_text_), {0.5 * (box_.lower + box_.upper)});
+      evaluate_velocity<dim>(initial_velocity_text_, {0.5 * (box_.lower + box_.upper)});
     });
 
     SectionScope scope(reader, "Material");
@@ -143,7 +158,7 @@ namespace Breakwater
     acceleration_.assign(n_nodes, {});
     force_.assign(n_nodes, {});
     position_ = mesh_.nodes;
-    velocity_ = evaluate_expressions<dim>(split_expressions(initial_velocity_text_), mesh_.nodes);
+    velocity_ = evaluate_velocity<dim>(initial_velocity_text_, mesh_.nodes);
     for (std::size_t i = 0; i < n_nodes; ++i)
       if (inverse_mass_[i] == 0)
         velocity_[i] = {};

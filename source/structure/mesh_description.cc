@@ -133,28 +133,6 @@ namespace Breakwater
     return marked;
   }
 
-
-  std::vector<std::string> split_expressions(const std::string &text)
-  {
-    std::vector<std::string> parts(1);
-    int                      depth = 0;
-    for (const char c : text)
-      {
-        depth += (c == '(') - (c == ')');
-        if (c == ',' && depth == 0)
-          parts.emplace_back();
-        else
-          parts.back() += c;
-      }
-    for (std::string &part : parts)
-      {
-        const std::size_t first = part.find_first_not_of(" \t");
-        const std::size_t last  = part.find_last_not_of(" \t");
-        part                    = first == std::string::npos ? "" : part.substr(first, last - first + 1);
-      }
-    return parts;
-  }
-
   template BoxMesh<2>               parse_box_mesh<2>(const std::string &);
   template BoxMesh<3>               parse_box_mesh<3>(const std::string &);
   template std::vector<std::string> boundary_names<2>();

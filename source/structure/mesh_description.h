@@ -30,7 +30,4 @@ namespace Breakwater
   /// @throws InputError with the known names if a name is unknown or stands twice
   template <int dim>
   std::array<bool, 2 * dim> parse_boundaries(const std::vector<std::string> &names);
-
-  /// Splits "a, b, c" at the commas that stand outside of parentheses, and trims the parts.
-  std::vector<std::string> split_expressions(const std::string &text);
 } // namespace Breakwater

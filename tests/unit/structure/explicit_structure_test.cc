@@ -282,6 +282,8 @@ namespace Breakwater
       {mesh + "set Wet boundaries = all, top\n" + soft, "no boundary \"all\""},
       {mesh + "set Degree = 3\n" + soft, "3"},
       {mesh + "set Initial velocity = 1, 2\n" + soft, "3 are needed"},
+      {mesh + "set Initial velocity = x +* y, 0, 0\n" + soft, "\"x +* y\" is no expression"},
+      {mesh + "set Initial velocity = 1, 1/(x - 0.5), 0\n" + soft, "no finite value"},
       {mesh + "set Fraction of the bound = 1.5\n" + soft, "1.5"},
       {mesh + material_section("Saint Venant Kirchhoff", 1000, 1e5, 0.5), "Poisson's ratio"},
       {mesh + material_section("Saint Venant Kirchhof", 1000, 1e5, 0.3), "Saint Venant Kirchhoff"}};
@@ -291,6 +293,21 @@ namespace Breakwater
         EXPECT_NE(message.find(expected), std::string::npos) << message;
         std::cout << "  " << message << "\n";
       }
+  }
+
+  TEST(ExplicitStructure, InitialVelocityIsGivenByExpressions)
+  {
+    const std::string mesh = "set Mesh = box(0, 2; 0.5, 3; 1, 1)\nset Degree = 1\n";
+    Scene<2>          scene(mesh + "set Initial velocity = max(x, y) * 2, sin(pi*x)\n" + soft);
+    const auto       &surface = scene.structure->wet_surface();
+    ASSERT_EQ(surface.position.size(), 4u);
+    for (std::size_t i = 0; i < 4; ++i)
+      {
+        EXPECT_DOUBLE_EQ(surface.velocity[i][0], 2 * surface.position[i][1]);
+        EXPECT_DOUBLE_EQ(surface.velocity[i][1], surface.position[i][0] > 0 ? 1. : 0.);
+      }
+    // Finite at the centre of the box, but not at the nodes on its left.
+    EXPECT_THROW(Scene<2>(mesh + "set Initial velocity = 1, 1/x\n" + soft), InputError);
   }
 
   TEST(ExplicitStructure, RefusesAForeignSurface)

@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 #include <structure/mesh_description.h>
-#include <structure/velocity_field.h>
 
 namespace Breakwater
 {
@@ -67,25 +66,6 @@ namespace Breakwater
     EXPECT_NE(message_of([] {
                 parse_boundaries<3>({"top", "top"});
               }).find("twice"),
-              std::string::npos);
-  }
-
-  TEST(MeshDescription, ExpressionsOfVectors)
-  {
-    const auto values = evaluate_expressions<2>(split_expressions("max(x, y) * 2, sin(pi*x)"), {{{0.5, 3.}}});
-    EXPECT_DOUBLE_EQ(values[0][0], 6.);
-    EXPECT_DOUBLE_EQ(values[0][1], 1.);
-    EXPECT_NE(message_of([] {
-                evaluate_expressions<2>({"x +* y", "0"}, {{}});
-              }).find("no expression"),
-              std::string::npos);
-    EXPECT_NE(message_of([] {
-                evaluate_expressions<2>({"1", "1 / x"}, {{}});
-              }).find("finite"),
-              std::string::npos);
-    EXPECT_NE(message_of([] {
-                evaluate_expressions<2>({"1"}, {{}});
-              }).find("2 are needed"),
               std::string::npos);
   }
 } // namespace Breakwater
