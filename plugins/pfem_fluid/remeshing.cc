@@ -44,34 +44,14 @@ namespace Breakwater
       report.smallest_radius = *std::min_element(radii.begin(), radii.end());
       return report;
     }
-    /// True for a flat cell between a node close to a wall and a facet of the wall that is itself small enough.
-    ///
-    /// Its circumradius is large only because the node has come close to the wall. Without the cell there would be a
-    /// free surface at the wall, deep in the fluid, and the pressure there would push into the hole.
     template <int dim>
-    bool is_cap_on_wall(const typename SimplexMesh<dim>::Cell &cell, const std::vector<Vec<dim>> &position,
-                        const std::vector<std::uint32_t> &walls, const double largest_circumradius)
+    double longest_edge(const Simplex<dim> &x)
     {
-      const Simplex<dim> x = corners(position, cell);
-      for (int apex = 0; apex <= dim; ++apex)
-        {
-          std::uint32_t common          = ~std::uint32_t(0);
-          double        longest_on_wall = 0, longest_to_apex = 0;
-          for (int a = 0; a <= dim; ++a)
-            if (a != apex)
-              {
-                common &= walls[cell[a]];
-                longest_to_apex = std::max(longest_to_apex, norm(x[a] - x[apex]));
-                for (int b = 0; b < a; ++b)
-                  if (b != apex)
-                    longest_on_wall = std::max(longest_on_wall, norm(x[a] - x[b]));
-              }
-          // A triangle's longest side is at least sqrt(3) times its circumradius if it is not obtuse.
-          const double largest_side = (dim == 2 ? 2. : std::sqrt(3.)) * largest_circumradius;
-          if (common != 0 && longest_on_wall <= largest_side && longest_to_apex <= longest_on_wall)
-            return true;
-        }
-      return false;
+      double longest = 0;
+      for (int a = 1; a <= dim; ++a)
+        for (int b = 0; b < a; ++b)
+          longest = std::max(longest, norm(x[a] - x[b]));
+      return longest;
     }
   } // namespace
 
@@ -257,10 +237,18 @@ namespace Breakwater
         return false;
       return !has_interface || adopted_.accepts(cell, nodes_);
     };
-    const auto lies_on_wall = [&](const typename SimplexMesh<dim>::Cell &cell) {
-      return is_cap_on_wall(cell, position, nodes_.walls, parameters_.alpha * h);
+    // A flat cell along a wall has a large circumradius only because its nodes have come close to the wall. Without it
+    // there would be a free surface at the wall, deep in the fluid, and the pressure would push into the hole.
+    std::vector<typename Walls<dim>::Contacts> near_walls(nodes_.n);
+    for (std::size_t i = 0; i < nodes_.n; ++i)
+      near_walls[i] = parameters_.walls.planes_at(position[i], 0.5 * h);
+    const auto lies_along_wall = [&](const typename SimplexMesh<dim>::Cell &cell) {
+      auto common = near_walls[cell[0]];
+      for (const unsigned int i : cell)
+        common &= near_walls[i];
+      return common != 0 && longest_edge<dim>(corners(position, cell)) <= 1.9 * parameters_.alpha * h;
     };
-    mesh_                     = alpha_shape<dim>(position, parameters_.alpha * h, keep, lies_on_wall);
+    mesh_                     = alpha_shape<dim>(position, parameters_.alpha * h, keep, lies_along_wall);
     nodes_.position_at_remesh = nodes_.xp;
   }
 
