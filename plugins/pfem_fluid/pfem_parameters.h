@@ -33,7 +33,7 @@ namespace Breakwater
     PluginList<FluidRheology>      rheology;
     PluginList<TimeStepBound<dim>> time_step_bound;
     PluginList<MeshSmoother<dim>>  mesh_smoothers;
-    double                         fraction_of_bound = 0.8;
+    double                         fraction_of_bound = 0.9;
     std::string                    tension           = "none";
     InitialState<dim>              initial_state;
     Walls<dim>                     walls;
