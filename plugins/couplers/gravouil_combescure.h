@@ -64,13 +64,14 @@ namespace Breakwater
       Vectors velocity, acceleration, link_force; ///< [m/s], [m/s^2], [N]
     };
 
-    void         check_surfaces() const;
-    void         balance_initial_accelerations();
-    bool         first_is_coarse() const;
-    Schedule     plan_steps(const Side &coarse, const Side &fine, double max_time_step) const;
-    unsigned int n_remaining_substeps(const Schedule &schedule, double fine_bound, double remaining) const;
-    Start        start_of_step(const Side &side, double time_step) const;
-    Vectors      free_velocity_at_start(const Side &coarse, double coarse_step) const;
+    void          check_surfaces() const;
+    void          balance_initial_accelerations();
+    static double stable_step(const Side &side, const Side &partner);
+    bool          first_is_coarse() const;
+    Schedule      plan_steps(const Side &coarse, const Side &fine, double max_time_step) const;
+    unsigned int  n_remaining_substeps(const Schedule &schedule, double fine_bound, double remaining) const;
+    Start         start_of_step(const Side &side, double time_step) const;
+    Vectors       free_velocity_at_start(const Side &coarse, double coarse_step) const;
 
     void    link_at_end(Side &coarse, Side &fine, const Start &coarse_start, const Start &fine_start);
     Vectors multiplier_for_common_velocity(const Vectors &coarse_free, const Side &coarse, const Side &fine,

@@ -73,6 +73,7 @@ namespace Breakwater
     void add_remeshing_row(const RemeshRecord &record, const DomainBalance<dim> &before,
                            const DomainBalance<dim> &after);
 
+    // fluid_output.cc
     double fluid_energy() const;
     /// Kinetic energy of the nodes 1/2 m v^2 [J].
     double kinetic_energy() const;

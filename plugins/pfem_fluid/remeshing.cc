@@ -95,7 +95,8 @@ namespace Breakwater
             nodes_.xp[i][d] = surface.position[i][d];
             nodes_.v[i][d]  = surface.velocity[i][d];
             // A node that is held somewhere is as good as infinitely heavy for the stability of the fluid.
-            companion = std::max(companion, 1. / std::max(surface.inverse_mass[i][d], 1e-12));
+            // Half of the partner's mass counts here, half in its own stability.
+            companion = std::max(companion, 0.5 / std::max(surface.inverse_mass[i][d], 1e-12));
           }
         nodes_.companion_mass[i] = companion;
       }

@@ -63,7 +63,8 @@ namespace Breakwater
     virtual const WetSurface<dim> &wet_surface() const = 0;
 
     /// Makes the nodes of the partner's wet surface this domain's own (matching meshes): same number, order and
-    /// places, facets of the partner. From then on its nodes also carry the partner's mass (1 / inverse_mass).
+    /// places, facets of the partner. In its stability half of the partner's mass there (1 / inverse_mass) counts as
+    /// its own; the other half is left to the partner.
     /// @pre can_adopt_surface(); called before setup() of this domain and after that of the partner
     virtual void adopt_surface(const WetSurface<dim> &partner) = 0;
 

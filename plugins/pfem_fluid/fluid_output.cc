@@ -1,0 +1,182 @@
+#include "pfem_fluid.h"
+#include "volume_conservation.h"
+
+#include <breakwater/base/binary_stream.h>
+
+#include <algorithm>
+
+// What the fluid tells of itself: balances, columns of history.csv, the mesh for output, checkpoints.
+
+namespace Breakwater
+{
+  template <int dim>
+  double PfemFluid<dim>::kinetic_energy() const
+  {
+    double energy = 0;
+    for (std::size_t i = 0; i < nodes_.n; ++i)
+      energy += 0.5 * nodes_.mass[i] * dot(nodes_.velocity(i), nodes_.velocity(i));
+    return energy;
+  }
+
+
+  template <int dim>
+  DomainBalance<dim> PfemFluid<dim>::balance() const
+  {
+    const EquationOfState &state = parameters_.equation_of_state.front();
+    DomainBalance<dim>     result;
+    for (std::size_t i = 0; i < nodes_.n; ++i)
+      {
+        const Vec<dim> x = nodes_.position(i);
+        result.mass += nodes_.mass[i];
+        result.momentum += nodes_.velocity(i) * nodes_.mass[i];
+        for (const auto &force : *body_forces_)
+          result.potential_energy += nodes_.mass[i] * force->potential(x);
+        // The pressure is minus the derivative of this by the volume.
+        if (nodes_.has_cells[i] && (nodes_.density[i] > state.reference_density() || parameters_.tension == "allowed"))
+          result.internal_energy +=
+            nodes_.stiffness_volume[i] * nodes_.base_density[i] * state.specific_energy(nodes_.density[i]);
+      }
+    result.kinetic_energy = kinetic_energy();
+    return result;
+  }
+
+
+  template <int dim>
+  double PfemFluid<dim>::fluid_energy() const
+  {
+    const DomainBalance<dim> now = balance();
+    return now.kinetic_energy + now.potential_energy + now.internal_energy - interface_work_;
+  }
+
+
+  template <int dim>
+  void PfemFluid<dim>::add_history(Row &row) const
+  {
+    const DomainBalance<dim> now = balance();
+    row.emplace_back("fluid mass [kg]", now.mass);
+    for (int d = 0; d < dim; ++d)
+      row.emplace_back(std::string("fluid momentum ") + "xyz"[d] + " [kg m/s]", now.momentum[d]);
+    const double deficit = interior_volume_deficit(nodes_);
+    row.emplace_back("interior volume deficit [-]", deficit);
+    double       volume = 0, largest_pressure = 0, largest_speed = 0;
+    unsigned int n_isolated = 0;
+    for (std::size_t i = 0; i < nodes_.n; ++i)
+      {
+        volume += nodes_.volume[i];
+        largest_pressure = std::max(largest_pressure, nodes_.xp[i][3]);
+        largest_speed    = std::max(largest_speed, norm(nodes_.velocity(i)));
+        n_isolated += i >= nodes_.n_interface && !nodes_.has_cells[i];
+      }
+    row.emplace_back("fluid mesh volume [m^" + std::to_string(dim) + "]", volume);
+    row.emplace_back("isolated nodes [-]", n_isolated);
+    row.emplace_back("largest pressure [Pa]", largest_pressure);
+    row.emplace_back("largest fluid speed [m/s]", largest_speed);
+    context_->set_summary_max("largest_interior_volume_deficit", std::abs(deficit));
+    const EquationOfState &state = parameters_.equation_of_state.front();
+    context_->set_summary_max("largest_mach_number", largest_speed / state.sound_speed(state.reference_density()));
+    context_->set_summary("nodes_put_back_at_walls", n_wall_stops_);
+    context_->set_summary("nodes_put_back_out_of_structures", n_pushed_out_);
+    context_->set_summary("fluid_nodes", nodes_.n - nodes_.n_interface);
+    context_->set_summary("fluid_cells", mesh_.cells.size());
+  }
+
+
+  template <int dim>
+  OutputMesh<dim> PfemFluid<dim>::output_mesh() const
+  {
+    OutputMesh<dim> output;
+    output.position          = nodes_.positions();
+    output.vertices_per_cell = dim + 1;
+    for (const auto &cell : mesh_.cells)
+      output.cells.insert(output.cells.end(), cell.begin(), cell.end());
+
+    typename OutputMesh<dim>::Field velocity{"velocity", dim, {}}, pressure{"pressure", 1, {}},
+      density{"density", 1, {}}, surface{"surface", 1, {}};
+    for (std::size_t i = 0; i < nodes_.n; ++i)
+      {
+        velocity.values.insert(velocity.values.end(), nodes_.v[i].c, nodes_.v[i].c + dim);
+        pressure.values.push_back(nodes_.xp[i][3]);
+        density.values.push_back(nodes_.density[i]);
+        surface.values.push_back(nodes_.is_surface[i]);
+      }
+    output.fields = {velocity, pressure, density, surface};
+    return output;
+  }
+
+
+  namespace
+  {
+    /// Calls `visit` with every number of the state, for saving and loading alike.
+    template <class Nodes, class Mesh, class Visitor>
+    void visit_nodes(Nodes &nodes, Mesh &mesh, const Visitor &visit)
+    {
+      visit(nodes.n);
+      visit(nodes.n_interface);
+      visit(nodes.xp);
+      visit(nodes.v);
+      visit(nodes.a);
+      visit(nodes.force);
+      visit(nodes.density_slope);
+      visit(nodes.mass);
+      visit(nodes.base_density);
+      visit(nodes.density);
+      visit(nodes.volume);
+      visit(nodes.reference_volume);
+      visit(nodes.stiffness_volume);
+      visit(nodes.companion_mass);
+      visit(nodes.hydrostatic_slope);
+      visit(nodes.position_at_remesh);
+      visit(nodes.contacts);
+      visit(nodes.walls);
+      visit(nodes.is_surface);
+      visit(nodes.has_cells);
+      visit(mesh.cells);
+      visit(mesh.boundary);
+    }
+  } // namespace
+
+
+  template <int dim>
+  void PfemFluid<dim>::save(std::ostream &stream) const
+  {
+    const auto visit = [&](const auto &value) {
+      write_binary(stream, value);
+    };
+    visit_nodes(nodes_, mesh_, visit);
+    visit(contact_impulse_);
+    visit(adopted_.surface().revision);
+    for (const double value : {time_, previous_step_, bound_, sound_speed_at_bound_, largest_density_, interface_work_,
+                               energy_after_remesh_, spectral_bound_})
+      visit(value);
+    for (const unsigned int value : {n_steps_since_filter_, n_steps_to_check_, n_remeshes_})
+      visit(value);
+    visit(n_wall_stops_);
+    visit(n_pushed_out_);
+  }
+
+
+  template <int dim>
+  void PfemFluid<dim>::load(std::istream &stream)
+  {
+    const auto visit = [&](auto &value) {
+      read_binary(stream, value);
+    };
+    visit_nodes(nodes_, mesh_, visit);
+    visit(contact_impulse_);
+    visit(adopted_.surface().revision);
+    for (double *value : {&time_, &previous_step_, &bound_, &sound_speed_at_bound_, &largest_density_, &interface_work_,
+                          &energy_after_remesh_, &spectral_bound_})
+      visit(*value);
+    for (unsigned int *value : {&n_steps_since_filter_, &n_steps_to_check_, &n_remeshes_})
+      visit(*value);
+    visit(n_wall_stops_);
+    visit(n_pushed_out_);
+    if (!body_force_is_uniform_)
+      update_body_acceleration();
+    refresh_surface();
+    adopted_.update_normals();
+  }
+
+  template class PfemFluid<2>;
+  template class PfemFluid<3>;
+} // namespace Breakwater
