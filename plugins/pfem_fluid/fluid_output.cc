@@ -145,7 +145,7 @@ namespace Breakwater
     visit_nodes(nodes_, mesh_, visit);
     visit(contact_impulse_);
     visit(adopted_.surface().revision);
-    for (const double value : {time_, previous_step_, bound_, sound_speed_at_bound_, largest_density_, interface_work_,
+    for (const double value : {time_, time_step_, bound_, sound_speed_at_bound_, largest_density_, interface_work_,
                                energy_after_remesh_, spectral_bound_})
       visit(value);
     for (const unsigned int value : {n_steps_since_filter_, n_steps_to_check_, n_remeshes_})
@@ -164,7 +164,7 @@ namespace Breakwater
     visit_nodes(nodes_, mesh_, visit);
     visit(contact_impulse_);
     visit(adopted_.surface().revision);
-    for (double *value : {&time_, &previous_step_, &bound_, &sound_speed_at_bound_, &largest_density_, &interface_work_,
+    for (double *value : {&time_, &time_step_, &bound_, &sound_speed_at_bound_, &largest_density_, &interface_work_,
                           &energy_after_remesh_, &spectral_bound_})
       visit(*value);
     for (unsigned int *value : {&n_steps_since_filter_, &n_steps_to_check_, &n_remeshes_})

@@ -82,6 +82,7 @@ namespace Breakwater
   {
     PhaseTimer timer(*context_, Phase::solver);
 
+    time_step_        = time_step;
     const auto &walls = parameters_.walls;
     for (std::size_t i = 0; i < nodes_.n; ++i)
       {
@@ -110,7 +111,6 @@ namespace Breakwater
       for (int d = 0; d < dim; ++d)
         nodes_.v[i][d] += 0.5 * time_step * nodes_.a[i][d];
 
-    previous_step_ = time_step;
     context_->cell_steps += mesh_.cells.size();
     refresh_surface();
   }
@@ -184,11 +184,14 @@ namespace Breakwater
           nodes_.a[i][d] = nodes_.force[i][d] / nodes_.mass[i] + body(i)[d];
         walls.constrain(nodes_.a[i].c, nodes_.v[i].c, nodes_.contacts[i]);
       }
-    if (!contact_impulse_.empty() && previous_step_ > 0)
+    if (!contact_impulse_.empty() && time_step_ > 0)
       {
+        // The impulse acts through the kicks of this step and the next. A step that was cut short must not make it a
+        // blow in the next one.
+        const double duration = std::max(time_step_, 0.5 * stable_time_step());
         for (std::size_t i = 0; i < nodes_.n_interface; ++i)
           for (int d = 0; d < dim; ++d)
-            nodes_.a[i][d] += contact_impulse_[i][d] / (previous_step_ * std::max(nodes_.mass[i], least_mass));
+            nodes_.a[i][d] += contact_impulse_[i][d] / (duration * std::max(nodes_.mass[i], least_mass));
         contact_impulse_.clear();
       }
   }

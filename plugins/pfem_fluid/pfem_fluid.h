@@ -96,7 +96,7 @@ namespace Breakwater
     std::vector<Vec<dim>> contact_impulse_; ///< of leaked nodes, to be given to the interface nodes [kg m/s]
 
     double        time_                 = 0; ///< [s]
-    double        previous_step_        = 0; ///< [s]
+    double        time_step_            = 0; ///< the present or last one [s]
     double        bound_                = 0; ///< of the rule in use at the last remesh [s]
     double        sound_speed_at_bound_ = 0; ///< largest one then [m/s]
     double        largest_density_      = 0; ///< now

@@ -261,11 +261,13 @@ namespace Breakwater
   template <int dim>
   void Simulation<dim>::advance()
   {
-    // The time to the next output is split evenly: no tiny step is left over.
+    // The time to the next output is split evenly: no tiny step is left over. A coupler's step is known only after it
+    // was taken; a little less is planned, so that it seldom falls short.
     const double        event   = next_event();
     const double        rest    = event - time_;
     const double        natural = natural_step_ > 0 ? natural_step_ : coarse_stable_step();
-    const double        n_steps = std::max(1., std::ceil(rest / natural * (1 - 1e-9)));
+    const double        planned = coupler_.empty() ? natural : 0.98 * natural;
+    const double        n_steps = std::max(1., std::ceil(rest / planned * (1 - 1e-9)));
     const double        longest = rest / n_steps;
     const unsigned long steps   = context_->steps;
     if (coupler_.empty())
