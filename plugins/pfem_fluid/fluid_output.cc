@@ -10,16 +10,6 @@
 namespace Breakwater
 {
   template <int dim>
-  double PfemFluid<dim>::kinetic_energy() const
-  {
-    double energy = 0;
-    for (std::size_t i = 0; i < nodes_.n; ++i)
-      energy += 0.5 * nodes_.mass[i] * dot(nodes_.velocity(i), nodes_.velocity(i));
-    return energy;
-  }
-
-
-  template <int dim>
   DomainBalance<dim> PfemFluid<dim>::balance() const
   {
     const EquationOfState &state = parameters_.equation_of_state.front();
@@ -29,6 +19,7 @@ namespace Breakwater
         const Vec<dim> x = nodes_.position(i);
         result.mass += nodes_.mass[i];
         result.momentum += nodes_.velocity(i) * nodes_.mass[i];
+        result.kinetic_energy += 0.5 * nodes_.mass[i] * dot(nodes_.velocity(i), nodes_.velocity(i));
         for (const auto &force : *body_forces_)
           result.potential_energy += nodes_.mass[i] * force->potential(x);
         // The pressure is minus the derivative of this by the volume.
@@ -36,16 +27,14 @@ namespace Breakwater
           result.internal_energy +=
             nodes_.stiffness_volume[i] * nodes_.base_density[i] * state.specific_energy(nodes_.density[i]);
       }
-    result.kinetic_energy = kinetic_energy();
     return result;
   }
 
 
   template <int dim>
-  double PfemFluid<dim>::fluid_energy() const
+  double PfemFluid<dim>::own_energy(const DomainBalance<dim> &balance) const
   {
-    const DomainBalance<dim> now = balance();
-    return now.kinetic_energy + now.potential_energy + now.internal_energy - interface_work_;
+    return balance.kinetic_energy + balance.potential_energy + balance.internal_energy - interface_work_;
   }
 
 
@@ -145,7 +134,7 @@ namespace Breakwater
     visit_nodes(nodes_, mesh_, visit);
     visit(contact_impulse_);
     visit(adopted_.surface().revision);
-    for (const double value : {time_, time_step_, bound_, sound_speed_at_bound_, largest_density_, interface_work_,
+    for (const double value : {time_, bound_, sound_speed_at_bound_, largest_density_, interface_work_,
                                energy_after_remesh_, spectral_bound_})
       visit(value);
     for (const unsigned int value : {n_steps_since_filter_, n_steps_to_check_, n_remeshes_})
@@ -164,7 +153,7 @@ namespace Breakwater
     visit_nodes(nodes_, mesh_, visit);
     visit(contact_impulse_);
     visit(adopted_.surface().revision);
-    for (double *value : {&time_, &time_step_, &bound_, &sound_speed_at_bound_, &largest_density_, &interface_work_,
+    for (double *value : {&time_, &bound_, &sound_speed_at_bound_, &largest_density_, &interface_work_,
                           &energy_after_remesh_, &spectral_bound_})
       visit(*value);
     for (unsigned int *value : {&n_steps_since_filter_, &n_steps_to_check_, &n_remeshes_})

@@ -64,7 +64,7 @@ namespace Breakwater
       body_force_is_uniform_ = body_force_is_uniform_ && force->is_uniform();
 
     place_initial_nodes();
-    energy_after_remesh_ = fluid_energy();
+    energy_after_remesh_ = own_energy(balance());
   }
 
 
@@ -82,7 +82,6 @@ namespace Breakwater
   {
     PhaseTimer timer(*context_, Phase::solver);
 
-    time_step_        = time_step;
     const auto &walls = parameters_.walls;
     for (std::size_t i = 0; i < nodes_.n; ++i)
       {
@@ -104,6 +103,7 @@ namespace Breakwater
     compute_volumes<dim>(mesh_.cells, nodes_.xp, nodes_.volume);
     update_pressure();
     update_forces();
+    spend_contact_impulse(time_step);
     if (effects_.density_diffusion)
       diffuse_density(time_step);
 
@@ -154,9 +154,7 @@ namespace Breakwater
     const auto body = [&](const std::size_t i) {
       return body_acceleration_[body_force_is_uniform_ ? 0 : i];
     };
-    const auto  &walls      = parameters_.walls;
-    const double least_mass = massless_inertia * parameters_.equation_of_state.front().reference_density() *
-                              regular_volume<dim>(parameters_.spacing);
+    const auto &walls = parameters_.walls;
 
     if (effects_.density_diffusion)
       {
@@ -174,7 +172,7 @@ namespace Breakwater
 
     for (std::size_t i = 0; i < nodes_.n_interface; ++i)
       {
-        const double mass = std::max(nodes_.mass[i], least_mass);
+        const double mass = interface_inertia(i);
         for (int d = 0; d < dim; ++d)
           nodes_.a[i][d] = nodes_.force[i][d] / mass + body(i)[d];
       }
@@ -184,16 +182,27 @@ namespace Breakwater
           nodes_.a[i][d] = nodes_.force[i][d] / nodes_.mass[i] + body(i)[d];
         walls.constrain(nodes_.a[i].c, nodes_.v[i].c, nodes_.contacts[i]);
       }
-    if (!contact_impulse_.empty() && time_step_ > 0)
-      {
-        // The impulse acts through the kicks of this step and the next. A step that was cut short must not make it a
-        // blow in the next one.
-        const double duration = std::max(time_step_, 0.5 * stable_time_step());
-        for (std::size_t i = 0; i < nodes_.n_interface; ++i)
-          for (int d = 0; d < dim; ++d)
-            nodes_.a[i][d] += contact_impulse_[i][d] / (duration * std::max(nodes_.mass[i], least_mass));
-        contact_impulse_.clear();
-      }
+  }
+
+
+  template <int dim>
+  void PfemFluid<dim>::spend_contact_impulse(const double time_step)
+  {
+    // The impulse acts through the kicks of this step and the next. A step that was cut short must not make it a blow
+    // in the next one.
+    const double duration = std::max(time_step, 0.5 * stable_time_step());
+    for (std::size_t i = 0; i < contact_impulse_.size(); ++i)
+      for (int d = 0; d < dim; ++d)
+        nodes_.a[i][d] += contact_impulse_[i][d] / (duration * interface_inertia(i));
+    contact_impulse_.clear();
+  }
+
+
+  template <int dim>
+  double PfemFluid<dim>::interface_inertia(const std::size_t i) const
+  {
+    return std::max(nodes_.mass[i], massless_inertia * parameters_.equation_of_state.front().reference_density() *
+                                      regular_volume<dim>(parameters_.spacing));
   }
 
 
@@ -252,16 +261,14 @@ namespace Breakwater
   template <int dim>
   void PfemFluid<dim>::refresh_surface()
   {
-    WetSurface<dim> &surface    = adopted_.surface();
-    const double     least_mass = massless_inertia * parameters_.equation_of_state.front().reference_density() *
-                              regular_volume<dim>(parameters_.spacing);
+    WetSurface<dim> &surface = adopted_.surface();
     for (std::size_t i = 0; i < nodes_.n_interface; ++i)
       {
         surface.position[i]     = nodes_.position(i);
         surface.velocity[i]     = nodes_.velocity(i);
         surface.acceleration[i] = FluidNodes<dim>::vec(nodes_.a[i]);
         for (int d = 0; d < dim; ++d)
-          surface.inverse_mass[i][d] = 1. / std::max(nodes_.mass[i], least_mass);
+          surface.inverse_mass[i][d] = 1. / interface_inertia(i);
       }
   }
 

@@ -52,6 +52,8 @@ namespace Breakwater
     void              update_forces();
     void              update_viscosity();
     void              update_body_acceleration();
+    void              spend_contact_impulse(double time_step);
+    double            interface_inertia(std::size_t node) const; ///< [kg]
     void              diffuse_density(double time_step);
     void              filter_velocity();
     void              refresh_surface();
@@ -66,17 +68,15 @@ namespace Breakwater
     void smooth_mesh(RemeshRecord &record);
     void classify_nodes();
     void shift_to_centroids();
-    void correct_volumes(RemeshRecord &record);
+    void correct_volumes(double energy, RemeshRecord &record);
     void sort_nodes();
     void set_references();
-    void update_time_step_bound();
+    void update_time_step_bound(const std::vector<Vec<dim>> &position, const std::vector<double> &inertia);
     void add_remeshing_row(const RemeshRecord &record, const DomainBalance<dim> &before,
                            const DomainBalance<dim> &after);
 
-    // fluid_output.cc
-    double fluid_energy() const;
-    /// Kinetic energy of the nodes 1/2 m v^2 [J].
-    double kinetic_energy() const;
+    /// Energy of the fluid less what the interface's link forces gave it [J].
+    double own_energy(const DomainBalance<dim> &balance) const;
 
     PfemParameters<dim>    parameters_;
     std::string            name_;
@@ -96,7 +96,6 @@ namespace Breakwater
     std::vector<Vec<dim>> contact_impulse_; ///< of leaked nodes, to be given to the interface nodes [kg m/s]
 
     double        time_                 = 0; ///< [s]
-    double        time_step_            = 0; ///< the present or last one [s]
     double        bound_                = 0; ///< of the rule in use at the last remesh [s]
     double        sound_speed_at_bound_ = 0; ///< largest one then [m/s]
     double        largest_density_      = 0; ///< now

@@ -143,7 +143,6 @@ namespace Breakwater
           nodes_.mass[i] = nodes_.density[i] * regular_volume<dim>(h);
       }
     set_references();
-    update_time_step_bound();
     update_pressure();
     update_forces();
     refresh_surface();
@@ -159,7 +158,7 @@ namespace Breakwater
     RemeshRecord             record;
 
     // Volumes and pressures belong to the present positions: advance_free() left them so.
-    correct_volumes(record);
+    correct_volumes(own_energy(before), record);
     shift_to_centroids();
     adopted_.update_normals();
     std::vector<Vec<dim>> impulse(nodes_.n_interface);
@@ -187,12 +186,10 @@ namespace Breakwater
       }
     exchange_mass<dim>(nodes_, mesh_.cells, reference_density, parameters_.spacing, parameters_.exchange_sweeps);
     set_references();
-    update_time_step_bound();
     update_pressure();
 
     // Interface nodes keep the acceleration that they share with their companions.
     const std::vector<Quad> acceleration(nodes_.a.begin(), nodes_.a.begin() + nodes_.n_interface);
-    contact_impulse_.clear();
     update_forces();
     std::copy(acceleration.begin(), acceleration.end(), nodes_.a.begin());
     if (record.n_pushed_out > 0)
@@ -203,7 +200,7 @@ namespace Breakwater
     ++context_->n_remeshes;
     n_steps_to_check_       = 2;
     const auto after        = balance();
-    energy_after_remesh_    = fluid_energy();
+    energy_after_remesh_    = own_energy(after);
     record.transfer_seconds = transfer_timer.seconds();
     add_remeshing_row(record, before, after);
   }
@@ -312,7 +309,7 @@ namespace Breakwater
 
 
   template <int dim>
-  void PfemFluid<dim>::correct_volumes(RemeshRecord &record)
+  void PfemFluid<dim>::correct_volumes(const double energy, RemeshRecord &record)
   {
     const std::vector<Quad> shift = volume_correction<dim>(
       nodes_, mesh_.cells, parameters_.walls, parameters_.equation_of_state.front().reference_density(),
@@ -328,7 +325,7 @@ namespace Breakwater
         for (const auto &force : *body_forces_)
           cost += nodes_.mass[i] * (force->potential(moved) - force->potential(x));
       }
-    const double dissipated = energy_after_remesh_ - fluid_energy();
+    const double dissipated = energy_after_remesh_ - energy;
     const double scale      = cost > 0 ? std::clamp(dissipated / cost, 0., 1.) : 1.;
     for (std::size_t i = nodes_.n_interface; i < nodes_.n; ++i)
       {
@@ -407,7 +404,8 @@ namespace Breakwater
     std::vector<double> inertia(nodes_.n);
     for (std::size_t i = 0; i < nodes_.n; ++i)
       inertia[i] = nodes_.inertia(i);
-    const std::vector<double> row_sums = volume_operator_row_sums(mesh_, nodes_.positions(), inertia);
+    const std::vector<Vec<dim>> position = nodes_.positions();
+    const std::vector<double>   row_sums = volume_operator_row_sums(mesh_, position, inertia);
 
     double largest = 0; // of W_i b_i, the squared nodal frequencies
     for (std::size_t i = 0; i < nodes_.n; ++i)
@@ -420,23 +418,22 @@ namespace Breakwater
         largest = std::max(largest, nodes_.base_density[i] * c * c / nodes_.stiffness_volume[i] * row_sums[i]);
       }
     spectral_bound_ = largest > 0 ? 2. / std::sqrt(largest) : std::numeric_limits<double>::infinity();
+    update_time_step_bound(position, inertia);
   }
 
 
   template <int dim>
-  void PfemFluid<dim>::update_time_step_bound()
+  void PfemFluid<dim>::update_time_step_bound(const std::vector<Vec<dim>> &position, const std::vector<double> &inertia)
   {
     const EquationOfState &state = parameters_.equation_of_state.front();
-    std::vector<double>    inertia(nodes_.n), stiffness(nodes_.n), sound_speed(nodes_.n);
+    std::vector<double>    stiffness(nodes_.n), sound_speed(nodes_.n);
     sound_speed_at_bound_ = 0;
     for (std::size_t i = 0; i < nodes_.n; ++i)
       {
-        inertia[i]            = nodes_.inertia(i);
         sound_speed[i]        = state.sound_speed(nodes_.base_density[i]);
         stiffness[i]          = nodes_.base_density[i] * sound_speed[i] * sound_speed[i] / nodes_.stiffness_volume[i];
         sound_speed_at_bound_ = std::max(sound_speed_at_bound_, sound_speed[i]);
       }
-    const std::vector<Vec<dim>> position = nodes_.positions();
     const double bound = parameters_.time_step_bound.front().bound({mesh_, position, inertia, stiffness, sound_speed,
                                                                     effects_.viscous ? effects_.viscosity : 0.,
                                                                     effects_.least_viscous_volume});
