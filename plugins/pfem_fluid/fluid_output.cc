@@ -39,7 +39,7 @@ namespace Breakwater
 
 
   template <int dim>
-  void PfemFluid<dim>::add_history(Row &row) const
+  void PfemFluid<dim>::add_history(Row &row)
   {
     const DomainBalance<dim> now = balance();
     row.emplace_back("fluid mass [kg]", now.mass);

@@ -38,7 +38,7 @@ namespace Breakwater
     void                   correct_surface(const std::vector<Vec<dim>> &position) override;
 
     DomainBalance<dim> balance() const override;
-    void               add_history(Row &row) const override;
+    void               add_history(Row &row) override;
     OutputMesh<dim>    output_mesh() const override;
     void               save(std::ostream &stream) const override;
     void               load(std::istream &stream) override;

@@ -332,7 +332,11 @@ namespace Breakwater
 
       const PluginRegistry &registry() const override { return registry_; }
       void                  note_new_plugin() override { has_new_plugin_ = true; }
-      bool                  is_reference() const override { return is_reference_; }
+      std::filesystem::path file_path(const std::string &name) const override
+      {
+        return std::filesystem::path(text_.name).parent_path() / name;
+      }
+      bool is_reference() const override { return is_reference_; }
 
       bool has_new_plugin() const { return has_new_plugin_; }
 

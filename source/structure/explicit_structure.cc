@@ -374,7 +374,7 @@ namespace Breakwater
 
 
   template <int dim>
-  void ExplicitStructure<dim>::add_history(Row &row) const
+  void ExplicitStructure<dim>::add_history(Row &row)
   {
     const DomainBalance<dim> now = balance();
     row.emplace_back(name_ + " kinetic energy [J]", now.kinetic_energy);

@@ -29,7 +29,7 @@ namespace Breakwater
       Path        path;
     };
 
-    std::string          name; ///< "scene.prm", for messages about what is missing
+    std::string          name; ///< "folder/scene.prm", for messages and to find files that stand beside it
     std::vector<Entry>   entries;
     std::vector<Section> sections; ///< in the order of the file
 

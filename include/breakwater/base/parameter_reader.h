@@ -3,6 +3,7 @@
 #include <breakwater/base/plugin_registry.h>
 #include <breakwater/base/vec.h>
 
+#include <filesystem>
 #include <limits>
 #include <memory>
 #include <stdexcept>
@@ -62,6 +63,9 @@ namespace Breakwater
 
     /// Stops with an InputError about an entry of the current section: where it was set, its value, `message`.
     [[noreturn]] virtual void fail(const std::string &name, const std::string &message) const = 0;
+
+    /// Where to find a file that an entry names: relative to the folder of the parameter file.
+    virtual std::filesystem::path file_path(const std::string &name) const { return name; }
 
     virtual const PluginRegistry &registry() const = 0;
 

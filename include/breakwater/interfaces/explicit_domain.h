@@ -77,8 +77,8 @@ namespace Breakwater
 
     virtual DomainBalance<dim> balance() const = 0;
 
-    /// Adds the domain's columns to a row of history.csv.
-    virtual void add_history(Row &row) const = 0;
+    /// Adds the domain's columns to a row of history.csv; some may be means over the time since the last call.
+    virtual void add_history(Row &row) = 0;
 
     /// The mesh and fields for solution.pvd.
     virtual OutputMesh<dim> output_mesh() const = 0;

@@ -188,6 +188,29 @@ TEST(ParameterFile, ReadsSectionsThatTheUserNames)
   EXPECT_EQ(scene.walls, (std::map<std::string, double>{{"Tank", 1}, {"My lid", 2}}));
 }
 
+TEST(ParameterFile, FindsFilesBesideItself)
+{
+  struct Wall : Plugin
+  {
+    std::string path;
+    void        declare_parameters(ParameterReader &reader) override
+    {
+      std::string name = "tank.stl";
+      reader.add("File", name, "File.");
+      path = reader.file_path(name).string();
+    }
+  };
+  const auto path_of = [](const std::string &scene, const std::string &file) {
+    std::istringstream stream("set File = " + file);
+    Wall               wall;
+    read_parameters(wall, laws(), scan_parameters(stream, scene));
+    return wall.path;
+  };
+  EXPECT_EQ(path_of("folder/scene.prm", "tank.stl"), "folder/tank.stl");
+  EXPECT_EQ(path_of("scene.prm", "tank.stl"), "tank.stl");
+  EXPECT_EQ(path_of("folder/scene.prm", "/there/tank.stl"), "/there/tank.stl");
+}
+
 TEST(ParameterFile, NamesTheNearestEntryForAnUnknownOne)
 {
   EXPECT_EQ(error_of("\nset Spacng = 1\n"),

@@ -102,7 +102,7 @@ namespace Breakwater
         sum += time_step * time_step / 8 * mass_[i] * a_[i] * a_[i];
       return sum;
     }
-    void          add_history(Row &) const override {}
+    void          add_history(Row &) override {}
     OutputMesh<2> output_mesh() const override { return {}; }
     void          save(std::ostream &stream) const override
     {

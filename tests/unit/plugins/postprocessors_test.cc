@@ -27,7 +27,7 @@ namespace
     bool                   can_adopt_surface() const override { return false; }
     void                   correct_surface(const std::vector<Vec<dim>> &) override {}
     DomainBalance<dim>     balance() const override { return {}; }
-    void                   add_history(Row &) const override {}
+    void                   add_history(Row &) override {}
     OutputMesh<dim>        output_mesh() const override { return mesh; }
     void                   save(std::ostream &) const override {}
     void                   load(std::istream &) override {}
