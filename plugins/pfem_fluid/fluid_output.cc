@@ -9,6 +9,27 @@
 
 namespace Breakwater
 {
+  namespace
+  {
+    /// sum of m x cross v about the origin [kg m^2/s]; in 2D only the component along z is not zero.
+    template <int dim>
+    Vec<3> angular_momentum(const FluidNodes<dim> &nodes)
+    {
+      Vec<3> result;
+      for (std::size_t i = 0; i < nodes.n; ++i)
+        {
+          const Quad &x = nodes.xp[i], &v = nodes.v[i];
+          for (int d = dim == 2 ? 2 : 0; d < 3; ++d)
+            {
+              const int e = (d + 1) % 3, f = (d + 2) % 3;
+              result[d] += nodes.mass[i] * (x[e] * v[f] - x[f] * v[e]);
+            }
+        }
+      return result;
+    }
+  } // namespace
+
+
   template <int dim>
   DomainBalance<dim> PfemFluid<dim>::balance() const
   {
@@ -45,6 +66,9 @@ namespace Breakwater
     row.emplace_back("fluid mass [kg]", now.mass);
     for (int d = 0; d < dim; ++d)
       row.emplace_back(std::string("fluid momentum ") + "xyz"[d] + " [kg m/s]", now.momentum[d]);
+    const Vec<3> angular = angular_momentum(nodes_);
+    for (int d = dim == 2 ? 2 : 0; d < 3; ++d)
+      row.emplace_back(std::string("fluid angular momentum ") + "xyz"[d] + " [kg m^2/s]", angular[d]);
     const double deficit = interior_volume_deficit(nodes_);
     row.emplace_back("interior volume deficit [-]", deficit);
     double       volume = 0, largest_pressure = 0, largest_speed = 0;
@@ -52,8 +76,9 @@ namespace Breakwater
     for (std::size_t i = 0; i < nodes_.n; ++i)
       {
         volume += nodes_.volume[i];
-        largest_pressure = std::max(largest_pressure, nodes_.xp[i][3]);
-        largest_speed    = std::max(largest_speed, norm(nodes_.velocity(i)));
+        if (nodes_.has_cells[i])
+          largest_pressure = std::max(largest_pressure, nodes_.xp[i][3]);
+        largest_speed = std::max(largest_speed, norm(nodes_.velocity(i)));
         n_isolated += i >= nodes_.n_interface && !nodes_.has_cells[i];
       }
     row.emplace_back("fluid mesh volume [m^" + std::to_string(dim) + "]", volume);

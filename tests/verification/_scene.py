@@ -2,6 +2,7 @@
 
 import csv
 import json
+import math
 import os
 import shutil
 import subprocess
@@ -44,6 +45,14 @@ class Verification:
         right = lower <= value <= upper
         print(f"{'ok   ' if right else 'WRONG'} {name}: {value:.6g}, allowed {lower:g} to {upper:g}")
         self.failures += not right
+
+    def rate(self, name, spacings, errors):
+        """Prints the errors at several spacings; returns the mean rate by which they fall, from the outermost two."""
+        for spacing, error in zip(spacings, errors):
+            print(f"{name}, spacing {spacing} m: {error:.3e}")
+        rate = math.log(errors[0] / errors[-1]) / math.log(spacings[0] / spacings[-1])
+        print(f"{name}, rate: {rate:.2f}")
+        return rate
 
     def finish(self):
         sys.exit(f"{self.failures} of the values are out of bounds" if self.failures else 0)
