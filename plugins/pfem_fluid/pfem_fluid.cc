@@ -63,7 +63,7 @@ namespace Breakwater
     for (const auto &force : body_forces)
       body_force_is_uniform_ = body_force_is_uniform_ && force->is_uniform();
 
-    place_initial_nodes();
+    make_initial_state();
     energy_after_remesh_ = own_energy(balance());
   }
 

@@ -7,6 +7,7 @@
 
 #include <breakwater/interfaces/explicit_domain.h>
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -61,10 +62,14 @@ namespace Breakwater
     [[noreturn]] void fail_at_node(std::size_t node, double fastest) const;
     bool              needs_remeshing() const;
 
-    // remeshing.cc
+    // initial_nodes.cc
+    void make_initial_state();
     void place_initial_nodes();
+    void set_initial_pressure();
+
+    // remeshing.cc
     void remesh();
-    void triangulate();
+    void triangulate(const std::function<bool(const typename SimplexMesh<dim>::Cell &)> &is_inside = {});
     void smooth_mesh(RemeshRecord &record);
     void classify_nodes();
     void shift_to_centroids();

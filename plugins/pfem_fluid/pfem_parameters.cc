@@ -1,7 +1,68 @@
 #include "pfem_parameters.h"
 
+#include <algorithm>
+#include <functional>
+
 namespace Breakwater
 {
+  namespace
+  {
+    /// Runs what reads an entry, and says where the entry stands if that throws an InputError.
+    void read_entry(const ParameterReader &reader, const std::string &entry, const std::function<void()> &read)
+    {
+      try
+        {
+          read();
+        }
+      catch (const InputError &error)
+        {
+          reader.fail(entry, error.what());
+        }
+    }
+  } // namespace
+
+
+  template <int dim>
+  void InitialState<dim>::declare(ParameterReader &reader)
+  {
+    SectionScope scope(reader, "Initial state");
+    reader.add("Shape", shape_text, FluidShape<dim>::documentation());
+    reader.add("Pressure", pressure,
+               "`hydrostatic`: of a fluid at rest under a uniform body force, zero at the highest place of each body "
+               "of fluid that touches no other; `zero`; or an expression of x, y, z [m] and pi [Pa].");
+    reader.add(
+      "Velocity", velocity,
+      "Velocity at time 0 [m/s]: a number or an expression of x, y, z [m] and pi for each component, separated "
+      "by commas.");
+    reader.add("Lattice", lattice_text,
+               "How the nodes are put where the spacing is uniform. A cubic lattice makes many slivers.",
+               {"body centred", "cubic"});
+    reader.add("Jitter", lattice.jitter,
+               "Random displacement of the lattice's nodes, as a fraction of the spacing [-].", {0., 0.3});
+    reader.add("Seed", lattice.seed, "Start of the random numbers for the nodes.");
+  }
+
+
+  template <int dim>
+  void InitialState<dim>::check(ParameterReader &reader, const BoxShape<dim> &walls)
+  {
+    SectionScope scope(reader, "Initial state");
+    lattice.body_centred = lattice_text == "body centred";
+    read_entry(reader, "Shape", [&]() {
+      shape = std::make_unique<FluidShape<dim>>(shape_text, walls, reader);
+    });
+    const auto place = Expression<dim>::Variables::place;
+    read_entry(reader, "Velocity", [&]() {
+      velocity_at = std::make_unique<Expression<dim>>(velocity, dim, place);
+    });
+    pressure_at.reset();
+    if (pressure != "hydrostatic" && pressure != "zero")
+      read_entry(reader, "Pressure", [&]() {
+        pressure_at = std::make_unique<Expression<dim>>(pressure, 1, place);
+      });
+  }
+
+
   template <int dim>
   PfemParameters<dim>::PfemParameters()
     : equation_of_state("Equation of state", "tait", "Pressure as a function of density.", 1)
@@ -16,7 +77,9 @@ namespace Breakwater
   template <int dim>
   void PfemParameters<dim>::declare(ParameterReader &reader)
   {
-    reader.add("Spacing", spacing, "Distance h of the nodes [m]: h^dim is the space of one node.", Range::positive());
+    reader.add("Spacing", spacing_text,
+               "Distance h of the nodes [m]: h^dim is the space of one node. A number, or an expression of x, y, z [m] "
+               "and pi; where it is steeper than 0.3 it is made smaller.");
     equation_of_state.declare_parameters(reader);
     rheology.declare_parameters(reader);
     time_step_bound.declare_parameters(reader);
@@ -27,18 +90,7 @@ namespace Breakwater
                "Whether the pressure may fall below zero: `none` for violent flow, `allowed` for calm flow in which "
                "suction matters.",
                {"none", "allowed"});
-    {
-      SectionScope scope(reader, "Initial state");
-      reader.add("Shape", initial_state.shape_text,
-                 "Where the fluid is at time 0: `box(x, y, z; X, Y, Z)` [m]; in 2D, two coordinates each.");
-      reader.add("Pressure", initial_state.pressure,
-                 "`hydrostatic`: of a fluid at rest under a uniform body force, zero at its highest point; `zero`.",
-                 {"hydrostatic", "zero"});
-      reader.add("Velocity", initial_state.velocity, "Velocity of all nodes [m/s].");
-      reader.add("Jitter", initial_state.jitter,
-                 "Random displacement of the lattice's nodes, as a fraction of the spacing [-].", {0., 0.3});
-      reader.add("Seed", initial_state.seed, "Start of the random numbers for the jitter.");
-    }
+    initial_state.declare(reader);
     walls.declare_parameters(reader);
     {
       SectionScope scope(reader, "Remeshing");
@@ -97,16 +149,34 @@ namespace Breakwater
     rheology.check_parameters(reader);
     time_step_bound.check_parameters(reader);
     mesh_smoothers.check_parameters(reader);
-    {
-      SectionScope scope(reader, "Initial state");
-      initial_state.shape = parse_box<dim>(initial_state.shape_text, reader, "Shape", {"box"});
-      for (int d = 0; d < dim; ++d)
-        if (initial_state.shape.upper[d] - initial_state.shape.lower[d] < spacing)
-          reader.fail("Shape", "the shape is thinner than the spacing of " + std::to_string(spacing) + " m");
-    }
     walls.check_parameters(reader);
+    initial_state.check(reader, walls.extent());
+    check_spacing(reader);
   }
 
+
+  template <int dim>
+  void PfemParameters<dim>::check_spacing(ParameterReader &reader)
+  {
+    BoxShape<dim> fluid = initial_state.shape->extent(), scene = fluid;
+    if (!walls.extent().kind.empty())
+      for (int d = 0; d < dim; ++d)
+        {
+          scene.lower[d] = std::min(fluid.lower[d], walls.extent().lower[d]);
+          scene.upper[d] = std::max(fluid.upper[d], walls.extent().upper[d]);
+        }
+    read_entry(reader, "Spacing", [&]() {
+      size = SizeField<dim>(spacing_text, scene.lower, scene.upper);
+    });
+    spacing = size.smallest();
+    SectionScope scope(reader, "Initial state");
+    for (int d = 0; d < dim; ++d)
+      if (fluid.upper[d] - fluid.lower[d] < spacing)
+        reader.fail("Shape", "the shape is thinner than the spacing of " + std::to_string(spacing) + " m");
+  }
+
+  template struct InitialState<2>;
+  template struct InitialState<3>;
   template struct PfemParameters<2>;
   template struct PfemParameters<3>;
 } // namespace Breakwater

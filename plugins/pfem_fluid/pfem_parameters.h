@@ -1,34 +1,48 @@
 #pragma once
 
+#include "fluid_shape.h"
 #include "shapes.h"
+#include "size_field.h"
 #include "walls.h"
 
+#include <breakwater/base/expression.h>
 #include <breakwater/base/parameter_reader.h>
 #include <breakwater/interfaces/equation_of_state.h>
 #include <breakwater/interfaces/fluid_rheology.h>
 #include <breakwater/interfaces/mesh_smoother.h>
 #include <breakwater/interfaces/time_step_bound.h>
 
+#include <memory>
+#include <string>
+
 namespace Breakwater
 {
-  /// The fluid at time 0: a box of nodes on a body-centred lattice.
+  /// The fluid at time 0.
   template <int dim>
   struct InitialState
   {
-    std::string  shape_text = "";
-    std::string  pressure   = "hydrostatic";
-    Vec<dim>     velocity;
-    double       jitter = 0.15;
-    unsigned int seed   = 1;
+    std::string shape_text   = "";
+    std::string lattice_text = "body centred";
+    std::string pressure     = "hydrostatic"; ///< or "zero", or an expression
+    std::string velocity     = dim == 2 ? "0, 0" : "0, 0, 0";
+    Lattice     lattice;
 
-    BoxShape<dim> shape;
+    std::unique_ptr<FluidShape<dim>> shape;
+    std::unique_ptr<Expression<dim>> pressure_at; ///< [Pa]; none: hydrostatic or zero
+    std::unique_ptr<Expression<dim>> velocity_at; ///< [m/s]
+
+    void declare(ParameterReader &reader);
+    /// @param walls a box around all walls
+    void check(ParameterReader &reader, const BoxShape<dim> &walls);
   };
 
   /// What a parameter file says about the fluid: section "Fluid/Pfem".
   template <int dim>
   struct PfemParameters
   {
-    double                         spacing = 0.01;
+    std::string                    spacing_text = "0.01";
+    SizeField<dim>                 size;           ///< of the spacing everywhere
+    double                         spacing = 0.01; ///< the smallest [m]
     PluginList<EquationOfState>    equation_of_state;
     PluginList<FluidRheology>      rheology;
     PluginList<TimeStepBound<dim>> time_step_bound;
@@ -54,5 +68,8 @@ namespace Breakwater
     PfemParameters();
     void declare(ParameterReader &reader);
     void check(ParameterReader &reader);
+
+  private:
+    void check_spacing(ParameterReader &reader);
   };
 } // namespace Breakwater

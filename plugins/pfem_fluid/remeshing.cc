@@ -1,6 +1,6 @@
 #include "alpha_shape.h"
-#include "initial_state.h"
 #include "pfem_fluid.h"
+#include "remesh_record.h"
 #include "volume_conservation.h"
 
 #include <breakwater/base/exceptions.h>
@@ -15,13 +15,6 @@ namespace Breakwater
 {
   namespace
   {
-    /// Smallest insphere radius of a mesh, and its distribution in units of the regular cell's.
-    struct QualityReport
-    {
-      double smallest_radius = std::numeric_limits<double>::infinity(); ///< [m]
-      double thousandth = 0, hundredth = 0, median = 0;                 ///< quantiles of r / r_regular [-]
-    };
-
     template <int dim>
     QualityReport mesh_quality(const SimplexMesh<dim> &mesh, const std::vector<Vec<dim>> &position,
                                const double spacing)
@@ -54,99 +47,6 @@ namespace Breakwater
       return longest;
     }
   } // namespace
-
-
-  template <int dim>
-  struct PfemFluid<dim>::RemeshRecord
-  {
-    QualityReport   quality_before, quality_after; ///< smoothing between
-    SmoothingReport smoothing;
-    double          correction_scale      = 0; ///< of the position correction, by the energy limiter
-    double          triangulation_seconds = 0;
-    double          smoothing_seconds     = 0;
-    double          transfer_seconds      = 0;
-    unsigned int    n_pushed_out          = 0;
-  };
-
-
-  template <int dim>
-  void PfemFluid<dim>::place_initial_nodes()
-  {
-    const double           h     = parameters_.spacing;
-    const EquationOfState &state = parameters_.equation_of_state.front();
-    const auto            &shape = parameters_.initial_state.shape;
-
-    std::vector<Vec<dim>> lattice = fill_box(parameters_.initial_state, h);
-    lattice.erase(std::remove_if(lattice.begin(), lattice.end(),
-                                 [&](const Vec<dim> &x) {
-                                   return !adopted_.empty() && adopted_.signed_distance(x, h) < 0.4 * h;
-                                 }),
-                  lattice.end());
-    const std::vector<unsigned int> order = hilbert_order(lattice);
-
-    const WetSurface<dim> &surface = adopted_.surface();
-    nodes_.n_interface             = adopted_.n_nodes();
-    nodes_.resize(nodes_.n_interface + lattice.size());
-    for (std::size_t i = 0; i < nodes_.n_interface; ++i)
-      {
-        double companion = 0;
-        for (int d = 0; d < dim; ++d)
-          {
-            nodes_.xp[i][d] = surface.position[i][d];
-            nodes_.v[i][d]  = surface.velocity[i][d];
-            // A node that is held somewhere is as good as infinitely heavy for the stability of the fluid.
-            // Half of the partner's mass counts here, half in its own stability.
-            companion = std::max(companion, 0.5 / std::max(surface.inverse_mass[i][d], 1e-12));
-          }
-        nodes_.companion_mass[i] = companion;
-      }
-    for (std::size_t k = 0; k < lattice.size(); ++k)
-      for (int d = 0; d < dim; ++d)
-        {
-          nodes_.xp[nodes_.n_interface + k][d] = lattice[order[k]][d];
-          nodes_.v[nodes_.n_interface + k][d]  = parameters_.initial_state.velocity[d];
-        }
-
-    // Hydrostatic pressure: zero at the corner of the shape that lies highest against a uniform body force.
-    update_body_acceleration();
-    const Vec<dim> g           = body_acceleration_.front();
-    const bool     hydrostatic = parameters_.initial_state.pressure == "hydrostatic";
-    if (hydrostatic && !body_force_is_uniform_)
-      throw InputError("The initial pressure of the fluid can't be hydrostatic, because a body force changes in space "
-                       "or time. Set Fluid/Pfem/Initial state/Pressure = zero.");
-    double highest = 0;
-    for (int d = 0; d < dim; ++d)
-      highest += std::min(g[d] * shape.lower[d], g[d] * shape.upper[d]);
-    const double c = state.sound_speed(state.reference_density());
-    for (std::size_t i = 0; i < nodes_.n; ++i)
-      {
-        // dp/ds = rho(p) g s along the force, to second order in compressibility
-        const double head      = std::max(0., dot(g, nodes_.position(i)) - highest);
-        const double pressure  = hydrostatic ? state.reference_density() * head * (1 + 0.5 * head / (c * c)) : 0.;
-        nodes_.base_density[i] = nodes_.density[i] = state.density(pressure);
-        if (i >= nodes_.n_interface)
-          nodes_.contacts[i] = parameters_.walls.planes_at(nodes_.position(i), 1e-9 * h);
-      }
-
-    triangulate();
-    if (mesh_.cells.empty())
-      throw InputError("The initial state of the fluid has no cells: its spacing of " + std::to_string(h) +
-                       " m is too large for its shape.");
-    RemeshRecord record;
-    smooth_mesh(record);
-    compute_volumes<dim>(mesh_.cells, nodes_.xp, nodes_.volume);
-    classify_nodes();
-    for (std::size_t i = 0; i < nodes_.n; ++i)
-      {
-        nodes_.mass[i] = nodes_.density[i] * nodes_.volume[i];
-        if (i >= nodes_.n_interface && !nodes_.has_cells[i])
-          nodes_.mass[i] = nodes_.density[i] * regular_volume<dim>(h);
-      }
-    set_references();
-    update_pressure();
-    update_forces();
-    refresh_surface();
-  }
 
 
   template <int dim>
@@ -207,7 +107,7 @@ namespace Breakwater
 
 
   template <int dim>
-  void PfemFluid<dim>::triangulate()
+  void PfemFluid<dim>::triangulate(const std::function<bool(const typename SimplexMesh<dim>::Cell &)> &is_inside)
   {
     const double                h                     = parameters_.spacing;
     const double                tolerance             = 0.01 * h;
@@ -229,7 +129,7 @@ namespace Breakwater
           has_interface    = has_interface || is_interface(i);
           is_all_interface = is_all_interface && is_interface(i);
         }
-      if (common != 0 || is_all_interface)
+      if (common != 0 || is_all_interface || (is_inside && !is_inside(cell)))
         return false;
       if (is_all_fixed && signed_volume(corners(position, cell)) < least_volume_at_walls)
         return false;

@@ -1,7 +1,5 @@
 #include "walls.h"
 
-#include "shapes.h"
-
 #include <algorithm>
 
 namespace Breakwater
@@ -30,13 +28,18 @@ namespace Breakwater
   void Walls<dim>::check_parameters(ParameterReader &reader)
   {
     planes_.clear();
+    extent_ = {};
     SectionScope scope(reader, "Walls");
     for (const Box &box : boxes_)
       {
         SectionScope        box_scope(reader, box.name);
         const BoxShape<dim> shape = parse_box<dim>(box.shape, reader, "Shape", {"box", "open box"});
+        if (extent_.kind.empty())
+          extent_ = {"box", shape.lower, shape.upper};
         for (int d = 0; d < dim; ++d)
           {
+            extent_.lower[d] = std::min(extent_.lower[d], shape.lower[d]);
+            extent_.upper[d] = std::max(extent_.upper[d], shape.upper[d]);
             planes_.push_back({box.name, d, 1., shape.lower[d], box.law == "no slip"});
             if (!(shape.kind == "open box" && d == 1))
               planes_.push_back({box.name, d, -1., shape.upper[d], box.law == "no slip"});

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "shapes.h"
+
 #include <breakwater/base/parameter_reader.h>
 #include <breakwater/base/vec.h>
 
@@ -36,6 +38,9 @@ namespace Breakwater
 
     const std::vector<Plane> &planes() const { return planes_; }
 
+    /// A box around all walls, without a kind if there are none.
+    const BoxShape<dim> &extent() const { return extent_; }
+
     /// Planes that a place lies on, within a tolerance [m].
     Contacts planes_at(const Vec<dim> &x, double tolerance) const;
 
@@ -58,5 +63,6 @@ namespace Breakwater
     };
     std::vector<Box>   boxes_;
     std::vector<Plane> planes_;
+    BoxShape<dim>      extent_;
   };
 } // namespace Breakwater

@@ -4,8 +4,8 @@
 // multiply-adds that the compiler reaches (items: flops) and the triad of McCalpin's STREAM (bytes_per_second).
 
 #include <pfem_fluid/alpha_shape.h>
-#include <pfem_fluid/initial_state.h>
 #include <pfem_fluid/kernels.h>
+#include <pfem_fluid/lattice.h>
 
 #include <benchmark/benchmark.h>
 
@@ -28,10 +28,9 @@ namespace
 
     explicit Cloud(const double n_nodes)
     {
-      InitialState<3> state;
-      const double    side = spacing * std::cbrt(n_nodes);
-      state.shape.upper    = {{side, side, side}};
-      const auto nodes     = fill_box(state, spacing);
+      const double      side  = spacing * std::cbrt(n_nodes);
+      const BoxShape<3> box   = {"box", {}, {{side, side, side}}};
+      const auto        nodes = fill_box(box, {}, spacing);
       for (const unsigned int i : hilbert_order(nodes))
         position.push_back(nodes[i]);
       triangulate();

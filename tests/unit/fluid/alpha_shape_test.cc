@@ -112,11 +112,11 @@ TYPED_TEST(AlphaShape, GivesTheSameBitsForTheSamePlaces)
 
 TYPED_TEST(AlphaShape, DoesNotDependOnTheNumberingEvenForAPerfectLattice)
 {
-  constexpr int dim   = TypeParam::value;
-  auto          state = box_state<dim>();
-  state.jitter        = 0;
-  auto       position = fill_box(state, spacing);
-  const auto cells    = cells_by_place<dim>(mesh_of<dim>(position), position);
+  constexpr int dim    = TypeParam::value;
+  auto          state  = box_state<dim>();
+  state.lattice.jitter = 0;
+  auto       position  = fill_box(state, spacing);
+  const auto cells     = cells_by_place<dim>(mesh_of<dim>(position), position);
   std::shuffle(position.begin(), position.end(), std::mt19937(3));
   EXPECT_EQ(cells, cells_by_place<dim>(mesh_of<dim>(position), position));
 }

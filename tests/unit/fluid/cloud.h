@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 #include <pfem_fluid/alpha_shape.h>
 #include <pfem_fluid/fluid_nodes.h>
-#include <pfem_fluid/initial_state.h>
 #include <pfem_fluid/kernels.h>
+#include <pfem_fluid/lattice.h>
 
 #include <random>
 #include <type_traits>
@@ -40,13 +40,27 @@ namespace Breakwater
     std::mt19937 engine_;
   };
 
+  /// A box and the lattice that fills it.
+  template <int dim>
+  struct BoxState
+  {
+    BoxShape<dim> shape;
+    Lattice       lattice;
+  };
+
+  template <int dim>
+  std::vector<Vec<dim>> fill_box(const BoxState<dim> &state, const double h)
+  {
+    return fill_box(state.shape, state.lattice, h);
+  }
+
   /// A box of the size (0.6, 0.9, 0.7) m from a corner.
   template <int dim>
-  InitialState<dim> box_state(const Vec<dim> &lower = {}, const unsigned int seed = 1)
+  BoxState<dim> box_state(const Vec<dim> &lower = {}, const unsigned int seed = 1)
   {
-    constexpr double  size[3] = {0.6, 0.9, 0.7};
-    InitialState<dim> state;
-    state.seed        = seed;
+    constexpr double size[3] = {0.6, 0.9, 0.7};
+    BoxState<dim>    state;
+    state.lattice.seed = seed;
     state.shape.lower = state.shape.upper = lower;
     for (int d = 0; d < dim; ++d)
       state.shape.upper[d] += size[d];
@@ -54,7 +68,7 @@ namespace Breakwater
   }
 
   template <int dim>
-  double box_volume(const InitialState<dim> &state)
+  double box_volume(const BoxState<dim> &state)
   {
     double volume = 1;
     for (int d = 0; d < dim; ++d)

@@ -60,7 +60,7 @@ namespace
 
     Sample()
     {
-      InitialState<dim> state;
+      BoxState<dim> state;
       for (int d = 0; d < dim; ++d)
         state.shape.upper[d] = (dim == 2 ? 0.4 : 0.25) + 0.01 * d;
       position = fill_box(state, spacing);

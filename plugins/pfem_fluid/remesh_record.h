@@ -1,0 +1,27 @@
+#pragma once
+
+#include "pfem_fluid.h"
+
+#include <limits>
+
+namespace Breakwater
+{
+  /// Smallest insphere radius of a mesh, and its distribution in units of the regular cell's.
+  struct QualityReport
+  {
+    double smallest_radius = std::numeric_limits<double>::infinity(); ///< [m]
+    double thousandth = 0, hundredth = 0, median = 0;                 ///< quantiles of r / r_regular [-]
+  };
+
+  template <int dim>
+  struct PfemFluid<dim>::RemeshRecord
+  {
+    QualityReport   quality_before, quality_after; ///< smoothing between
+    SmoothingReport smoothing;
+    double          correction_scale      = 0; ///< of the position correction, by the energy limiter
+    double          triangulation_seconds = 0;
+    double          smoothing_seconds     = 0;
+    double          transfer_seconds      = 0;
+    unsigned int    n_pushed_out          = 0;
+  };
+} // namespace Breakwater
