@@ -157,7 +157,13 @@ namespace Breakwater
               sum += x[a];
             const double volume   = geometry<dim>(x, area);
             const double size     = __builtin_fabs(volume);
-            const V4     pressure = spread<3>(sum) * all(mean);
+            V4           pressure = spread<3>(sum) * all(mean);
+            if (effects.cell_stiffness > 0)
+              {
+                const double at_rest = effects.cell_volume_at_rest[c], least_cell = effects.least_cell_volume;
+                pressure -=
+                  all(effects.cell_stiffness * (volume - at_rest) / (at_rest > least_cell ? at_rest : least_cell));
+              }
             for (int a = 0; a < n; ++a)
               f[a] = pressure * area[a];
 

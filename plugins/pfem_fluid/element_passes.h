@@ -22,6 +22,9 @@ namespace Breakwater
     double        viscosity            = 0;       ///< of all cells [Pa s]
     const double *cell_viscosity       = nullptr; ///< of each cell [Pa s], where it is not the same
     double        least_viscous_volume = 0; ///< cells smaller than this count as this big in viscous forces [m^dim]
+    double        cell_stiffness       = 0; ///< of the cells' own pressure against a change of their volume [Pa]
+    double        least_cell_volume    = 0; ///< cells smaller than this count as this big in their own pressure [m^dim]
+    const double *cell_volume_at_rest  = nullptr; ///< at which the cells' own pressure is zero [m^dim]
   };
 
   /// Weights of the velocity filter, see filter_impulses() in kernels.h.

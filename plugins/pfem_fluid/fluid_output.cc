@@ -48,6 +48,12 @@ namespace Breakwater
           result.internal_energy +=
             nodes_.stiffness_volume[i] * nodes_.base_density[i] * state.specific_energy(nodes_.density[i]);
       }
+    for (std::size_t c = 0; c < cell_volume_at_rest_.size(); ++c)
+      {
+        const double change = signed_volume(nodes_.corners(mesh_.cells[c])) - cell_volume_at_rest_[c];
+        result.internal_energy += 0.5 * effects_.cell_stiffness * change * change /
+                                  std::max(cell_volume_at_rest_[c], effects_.least_cell_volume);
+      }
     return result;
   }
 
@@ -158,6 +164,8 @@ namespace Breakwater
     };
     visit_nodes(nodes_, mesh_, visit);
     visit(contact_impulse_);
+    visit(cell_volume_at_rest_);
+    visit(effects_.cell_stiffness);
     visit(adopted_.surface().revision);
     for (const double value : {time_, bound_, sound_speed_at_bound_, largest_density_, interface_work_,
                                energy_after_remesh_, spectral_bound_})
@@ -177,6 +185,9 @@ namespace Breakwater
     };
     visit_nodes(nodes_, mesh_, visit);
     visit(contact_impulse_);
+    visit(cell_volume_at_rest_);
+    visit(effects_.cell_stiffness);
+    effects_.cell_volume_at_rest = cell_volume_at_rest_.data();
     visit(adopted_.surface().revision);
     for (double *value : {&time_, &bound_, &sound_speed_at_bound_, &largest_density_, &interface_work_,
                           &energy_after_remesh_, &spectral_bound_})

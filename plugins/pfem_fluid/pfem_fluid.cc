@@ -50,6 +50,7 @@ namespace Breakwater
     effects_.viscosity            = effects_.viscous ? rheology.largest_viscosity() : 0.;
     effects_.density_diffusion    = parameters_.density_diffusion > 0;
     // A sliver that passes through zero volume would make its viscous force infinite.
+    effects_.least_cell_volume    = 0.05 * regular_volume<dim>(parameters_.spacing);
     effects_.least_viscous_volume = 0.01 * regular_volume<dim>(parameters_.spacing);
     context.note_effect("viscosity", effects_.viscous, "the rheology is inviscid");
     context.note_effect("density diffusion", effects_.density_diffusion, "its coefficient is 0");

@@ -76,7 +76,9 @@ namespace Breakwater
     void correct_volumes(double energy, RemeshRecord &record);
     void sort_nodes();
     void set_references();
-    void update_time_step_bound(const std::vector<Vec<dim>> &position, const std::vector<double> &inertia);
+    void set_cell_stiffness();
+    void update_time_step_bound(const std::vector<Vec<dim>> &position, const std::vector<double> &inertia,
+                                const std::vector<double> &row_sums);
     void add_remeshing_row(const RemeshRecord &record, const DomainBalance<dim> &before,
                            const DomainBalance<dim> &after);
 
@@ -96,9 +98,10 @@ namespace Breakwater
     bool                  filters_velocity_      = true;
     std::vector<Vec<dim>> body_acceleration_; ///< one for all nodes if uniform, else one per node [m/s^2]
     std::vector<double>   pressure_buffer_;
-    std::vector<double>   shear_rate_;      ///< of the cells of a fluid that is not Newtonian [1/s]
-    std::vector<double>   cell_viscosity_;  ///< of a fluid that is not Newtonian [Pa s]
-    std::vector<Vec<dim>> contact_impulse_; ///< of leaked nodes, to be given to the interface nodes [kg m/s]
+    std::vector<double>   shear_rate_;          ///< of the cells of a fluid that is not Newtonian [1/s]
+    std::vector<double>   cell_volume_at_rest_; ///< at the last remesh [m^dim]
+    std::vector<double>   cell_viscosity_;      ///< of a fluid that is not Newtonian [Pa s]
+    std::vector<Vec<dim>> contact_impulse_;     ///< of leaked nodes, to be given to the interface nodes [kg m/s]
 
     double        time_                 = 0; ///< [s]
     double        bound_                = 0; ///< of the rule in use at the last remesh [s]
@@ -107,6 +110,7 @@ namespace Breakwater
     double        interface_work_       = 0; ///< of the link forces on the fluid since the start [J]
     double        energy_after_remesh_  = 0; ///< less the interface's work [J]
     double        spectral_bound_       = 0; ///< Gershgorin's, at the last remesh [s]
+    unsigned int  n_softened_           = 0; ///< nodes, at the last remesh
     unsigned int  n_steps_since_filter_ = 0;
     unsigned int  n_steps_to_check_     = 0; ///< until needs_remeshing() is asked again
     unsigned int  n_remeshes_           = 0;

@@ -108,8 +108,12 @@ namespace Breakwater
                  {0., 0.5});
       reader.add("Divergence filter", divergence_filter_weight,
                  "Weight with which the filter takes away what deviates from the mean divergence around a cell [-]; "
-                 "0: none. Without it water at rest slowly stirs itself.",
+                 "0: none.",
                  {0., 2.});
+      reader.add("Cell stiffness", cell_stiffness,
+                 "Stiffness of each cell against a change of its own volume since the last remesh, in units of the "
+                 "hydrostatic pressure over one spacing [-]; 0: none. Without it water at rest stirs itself.",
+                 {0., 1000.});
       reader.add("Velocity filter period", filter_period, "Steps from one use of the filter to the next.", 1);
       reader.add("Softening", softening,
                  "Upper limit G on h^2/c^2 times the squared nodal frequency: the few stiffer nodes, light ones at "

@@ -54,11 +54,12 @@ namespace Breakwater
 
     double       alpha                    = 1.4;
     double       largest_strain           = 0.2;
-    double       softening                = dim == 2 ? 16. : 12.;
+    double       softening                = 12.;
     double       density_diffusion        = 0.5;
     double       filter_weight            = 0.2;
     unsigned int filter_period            = 5;
     double       divergence_filter_weight = 1.5;
+    double       cell_stiffness           = 3.;
     double       centroid_shift           = 0.1;
     unsigned int correction_iterations    = 5;
     double       correction_weight        = 0.3;

@@ -307,23 +307,43 @@ namespace Breakwater
     const std::vector<Vec<dim>> position = nodes_.positions();
     const std::vector<double>   row_sums = volume_operator_row_sums(mesh_, position, inertia);
 
+    n_softened_    = 0;
     double largest = 0; // of W_i b_i, the squared nodal frequencies
     for (std::size_t i = 0; i < nodes_.n; ++i)
       {
         nodes_.reference_volume[i] = nodes_.volume[i];
-        nodes_.stiffness_volume[i] = std::max(
-          {nodes_.volume[i], 0.1 * regular_volume<dim>(h), density * h * h * row_sums[i] / parameters_.softening});
+        const double unsoftened    = std::max(nodes_.volume[i], 0.1 * regular_volume<dim>(h));
+        nodes_.stiffness_volume[i] = std::max(unsoftened, density * h * h * row_sums[i] / parameters_.softening);
+        n_softened_ += nodes_.stiffness_volume[i] > unsoftened;
         const double c              = state.sound_speed(nodes_.base_density[i]);
         nodes_.hydrostatic_slope[i] = nodes_.base_density[i] / (c * c);
         largest = std::max(largest, nodes_.base_density[i] * c * c / nodes_.stiffness_volume[i] * row_sums[i]);
       }
     spectral_bound_ = largest > 0 ? 2. / std::sqrt(largest) : std::numeric_limits<double>::infinity();
-    update_time_step_bound(position, inertia);
+    update_time_step_bound(position, inertia, row_sums);
+    set_cell_stiffness();
   }
 
 
   template <int dim>
-  void PfemFluid<dim>::update_time_step_bound(const std::vector<Vec<dim>> &position, const std::vector<double> &inertia)
+  void PfemFluid<dim>::set_cell_stiffness()
+  {
+    double largest_body_force = 0;
+    for (const Vec<dim> &acceleration : body_acceleration_)
+      largest_body_force = std::max(largest_body_force, norm(acceleration));
+    effects_.cell_stiffness = parameters_.cell_stiffness * parameters_.equation_of_state.front().reference_density() *
+                              largest_body_force * parameters_.spacing;
+    cell_volume_at_rest_.clear();
+    if (effects_.cell_stiffness > 0)
+      for (const auto &cell : mesh_.cells)
+        cell_volume_at_rest_.push_back(signed_volume(nodes_.corners(cell)));
+    effects_.cell_volume_at_rest = cell_volume_at_rest_.data();
+  }
+
+
+  template <int dim>
+  void PfemFluid<dim>::update_time_step_bound(const std::vector<Vec<dim>> &position, const std::vector<double> &inertia,
+                                              const std::vector<double> &row_sums)
   {
     const EquationOfState &state = parameters_.equation_of_state.front();
     std::vector<double>    stiffness(nodes_.n), sound_speed(nodes_.n);
@@ -334,9 +354,9 @@ namespace Breakwater
         stiffness[i]          = nodes_.base_density[i] * sound_speed[i] * sound_speed[i] / nodes_.stiffness_volume[i];
         sound_speed_at_bound_ = std::max(sound_speed_at_bound_, sound_speed[i]);
       }
-    const double bound = parameters_.time_step_bound.front().bound({mesh_, position, inertia, stiffness, sound_speed,
-                                                                    effects_.viscous ? effects_.viscosity : 0.,
-                                                                    effects_.least_viscous_volume});
+    const double bound = parameters_.time_step_bound.front().bound(
+      {mesh_, position, inertia, stiffness, sound_speed, row_sums, effects_.viscous ? effects_.viscosity : 0.,
+       effects_.least_viscous_volume});
     // Without cells nothing oscillates; still, look for new neighbours now and then.
     bound_ = std::min(bound, 2 * parameters_.spacing / sound_speed_at_bound_);
     if (!(bound_ > 0))
@@ -364,6 +384,7 @@ namespace Breakwater
                {"nodes [-]", static_cast<double>(nodes_.n)},
                {"cells [-]", static_cast<double>(mesh_.cells.size())},
                {"isolated nodes [-]", static_cast<double>(n_isolated)},
+               {"softened nodes [-]", static_cast<double>(n_softened_)},
                {"insphere bound before smoothing [s]", record.quality_before.smallest_radius / c},
                {"insphere bound [s]", record.quality_after.smallest_radius / c},
                {"spectral bound [s]", spectral_bound_},

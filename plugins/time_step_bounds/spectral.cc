@@ -2,7 +2,6 @@
 
 #include <breakwater/base/parameter_reader.h>
 #include <breakwater/mesh/quality.h>
-#include <breakwater/mesh/volume_operator.h>
 
 #include <algorithm>
 #include <random>
@@ -85,9 +84,8 @@ namespace Breakwater
     double largest = 0;
     if (method_ == "gershgorin")
       {
-        const std::vector<double> row_sums = volume_operator_row_sums(fluid.mesh, fluid.position, fluid.mass);
-        for (std::size_t i = 0; i < row_sums.size(); ++i)
-          largest = std::max(largest, fluid.stiffness[i] * row_sums[i]);
+        for (std::size_t i = 0; i < fluid.row_sums.size(); ++i)
+          largest = std::max(largest, fluid.stiffness[i] * fluid.row_sums[i]);
         return largest;
       }
 

@@ -20,7 +20,7 @@ namespace
   {
     Block<dim>          block;
     std::vector<Quad>   x, v, slope;
-    std::vector<double> volume, node_density, inverse_mass;
+    std::vector<double> volume, node_density, inverse_mass, cell_volume_at_rest;
 
     explicit Tangle(const double move = 0.6 * spacing)
       : x(block.nodes.xp)
@@ -45,6 +45,16 @@ namespace
           inverse_mass[i] = 1. / (node_density[i] * regular_volume<dim>(spacing));
         }
       compute_volumes<dim>(cells(), x, volume);
+      for (const auto &cell : cells())
+        cell_volume_at_rest.push_back(signed_volume(block.nodes.corners(cell)));
+    }
+
+    /// Cells with a stiffness of their own.
+    void make_stiff(ForceEffects &effects) const
+    {
+      effects.cell_stiffness      = 500.;
+      effects.least_cell_volume   = 0.05 * regular_volume<dim>(spacing);
+      effects.cell_volume_at_rest = cell_volume_at_rest.data();
     }
 
     const auto &cells() const { return block.mesh.cells; }
@@ -85,8 +95,9 @@ namespace
   std::vector<Quad> reference_forces(const Tangle<dim> &t, const ForceEffects &effects)
   {
     std::vector<Quad> force(t.x.size());
-    for (const auto &cell : t.cells())
+    for (std::size_t c = 0; c < t.cells().size(); ++c)
       {
+        const auto        &cell = t.cells()[c];
         const Simplex<dim> x = t.corners(cell), area = area_vectors(x);
         const double       volume   = std::abs(signed_volume(x));
         double             pressure = 0, L[dim][dim] = {}, trace = 0, mean[4] = {};
@@ -104,6 +115,9 @@ namespace
           }
         for (int d = 0; d < dim; ++d)
           trace += L[d][d];
+        if (effects.cell_stiffness > 0)
+          pressure -= effects.cell_stiffness * (signed_volume(x) - t.cell_volume_at_rest[c]) /
+                      std::max(t.cell_volume_at_rest[c], effects.least_cell_volume);
         for (int a = 0; a <= dim; ++a)
           {
             Quad &f = force[cell[a]];
@@ -206,7 +220,8 @@ TYPED_TEST(Passes, BothInstructionSetsAgree)
     for (const bool diffusion : {false, true})
       {
         std::vector<Quad> a(t.x.size()), b(t.x.size());
-        const auto        effects = effects_of(viscous, diffusion);
+        auto              effects = effects_of(viscous, diffusion);
+        t.make_stiff(effects);
         one.forces[viscous][diffusion](cells, n_cells, effects, t.x.data(), t.v.data(), t.slope.data(), a.data());
         two.forces[viscous][diffusion](cells, n_cells, effects, t.x.data(), t.v.data(), t.slope.data(), b.data());
         EXPECT_LT(difference(a, b, diffusion ? 4 : 3), 1e-13) << viscous << diffusion;
@@ -273,7 +288,10 @@ TYPED_TEST(Passes, ForcesAreThoseOfThePlainFormulas)
   for (const bool viscous : {false, true})
     for (const bool diffusion : {false, true})
       {
-        const auto effects = effects_of(viscous, diffusion);
+        auto effects = effects_of(viscous, diffusion);
+        EXPECT_LT(difference(t.forces(effects), reference_forces(t, effects), diffusion ? 4 : 3), 1e-12)
+          << viscous << diffusion;
+        t.make_stiff(effects);
         EXPECT_LT(difference(t.forces(effects), reference_forces(t, effects), diffusion ? 4 : 3), 1e-12)
           << viscous << diffusion;
       }
