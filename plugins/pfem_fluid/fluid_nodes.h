@@ -1,10 +1,10 @@
 #pragma once
 
+#include "contacts.h"
 #include "element_passes.h"
 
 #include <breakwater/mesh/quality.h>
 
-#include <cstdint>
 #include <vector>
 
 namespace Breakwater
@@ -33,10 +33,11 @@ namespace Breakwater
     std::vector<double> hydrostatic_slope; ///< rho / c^2 at the last remesh [s^2/m^2 kg/m^3]
     std::vector<Quad>   position_at_remesh;
 
-    std::vector<std::uint32_t> contacts;   ///< walls that hold the node now
-    std::vector<std::uint32_t> walls;      ///< planes the node lay on at the last remesh
-    std::vector<char>          is_surface; ///< on a facet that neither wall nor interface closes
-    std::vector<char>          has_cells;  ///< false: isolated, flies ballistically
+    std::vector<Contacts> contacts;         ///< faces of walls that hold the node now
+    std::vector<Contacts> walls;            ///< faces of walls that the node lay on at the last remesh
+    std::vector<double>   slip_conductance; ///< area over slip length of the walls around, if any slips [m^(dim - 2)]
+    std::vector<char>     is_surface;       ///< on a facet that neither wall nor interface closes
+    std::vector<char>     has_cells;        ///< false: isolated, flies ballistically
 
     void resize(const std::size_t size)
     {
@@ -46,8 +47,8 @@ namespace Breakwater
       for (auto *doubles : {&mass, &base_density, &density, &volume, &reference_volume, &stiffness_volume,
                             &companion_mass, &hydrostatic_slope})
         doubles->resize(size, 0.);
-      contacts.resize(size, 0);
-      walls.resize(size, 0);
+      contacts.resize(size);
+      walls.resize(size);
       is_surface.resize(size, 0);
       has_cells.resize(size, 0);
     }

@@ -61,7 +61,8 @@ namespace Breakwater
   template <int dim>
   double PfemFluid<dim>::own_energy(const DomainBalance<dim> &balance) const
   {
-    return balance.kinetic_energy + balance.potential_energy + balance.internal_energy - interface_work_;
+    return balance.kinetic_energy + balance.potential_energy + balance.internal_energy - interface_work_ -
+           parameters_.walls.work();
   }
 
 
@@ -89,6 +90,8 @@ namespace Breakwater
       }
     row.emplace_back("fluid mesh volume [m^" + std::to_string(dim) + "]", volume);
     row.emplace_back("isolated nodes [-]", n_isolated);
+    row.emplace_back("nodes put back at walls [-]", n_wall_stops_);
+    parameters_.walls.add_history(time_, row);
     row.emplace_back("largest pressure [Pa]", largest_pressure);
     row.emplace_back("largest fluid speed [m/s]", largest_speed);
     context_->set_summary_max("largest_interior_volume_deficit", std::abs(deficit));
@@ -148,6 +151,7 @@ namespace Breakwater
       visit(nodes.position_at_remesh);
       visit(nodes.contacts);
       visit(nodes.walls);
+      visit(nodes.slip_conductance);
       visit(nodes.is_surface);
       visit(nodes.has_cells);
       visit(mesh.cells);
@@ -174,6 +178,7 @@ namespace Breakwater
       visit(value);
     visit(n_wall_stops_);
     visit(n_pushed_out_);
+    parameters_.walls.save(stream);
   }
 
 
@@ -196,6 +201,7 @@ namespace Breakwater
       visit(*value);
     visit(n_wall_stops_);
     visit(n_pushed_out_);
+    parameters_.walls.load(stream);
     if (!body_force_is_uniform_)
       update_body_acceleration();
     refresh_surface();

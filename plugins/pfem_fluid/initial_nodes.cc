@@ -91,9 +91,10 @@ namespace Breakwater
     const InitialState<dim> &initial = parameters_.initial_state;
     std::vector<Vec<dim>>    place   = initial.shape->place_nodes(parameters_.size, initial.lattice);
     place.erase(std::remove_if(place.begin(), place.end(),
-                               [&](const Vec<dim> &x) {
+                               [&](Vec<dim> &x) {
                                  const double h = parameters_.size(x);
-                                 return !adopted_.empty() && adopted_.signed_distance(x, h) < 0.4 * h;
+                                 return (!adopted_.empty() && adopted_.signed_distance(x, h) < 0.4 * h) ||
+                                        !parameters_.walls.admit(x, 0.36 * h);
                                }),
                 place.end());
     if (place.empty())
@@ -126,7 +127,7 @@ namespace Breakwater
             nodes_.xp[i][d] = x[d];
             nodes_.v[i][d]  = finite_value(*initial.velocity_at, x, d, "Velocity");
           }
-        nodes_.contacts[i] = parameters_.walls.planes_at(x, 1e-9 * parameters_.spacing);
+        nodes_.contacts[i] = parameters_.walls.faces_at(x, 1e-9 * parameters_.spacing);
       }
   }
 

@@ -57,6 +57,8 @@ namespace Breakwater
     filters_velocity_ = parameters_.filter_weight > 0 || parameters_.divergence_filter_weight > 0;
     context.note_effect("velocity filter", filters_velocity_, "its weights are 0");
     context.note_effect("tension", parameters_.tension == "allowed", "pressure below zero is cut off");
+    context.note_effect("moving walls", parameters_.walls.any_moves(), "no wall has a motion");
+    context.note_effect("Navier slip", parameters_.walls.any_has_navier_slip(), "no wall has that law");
     context.note_effect("mesh smoothing", !parameters_.mesh_smoothers.empty(),
                         "no smoother is named; the spectral bound does not need one");
 
@@ -83,21 +85,20 @@ namespace Breakwater
   {
     PhaseTimer timer(*context_, Phase::solver);
 
-    const auto &walls = parameters_.walls;
+    auto &walls = parameters_.walls;
+    walls.act(0.5 * time_step);
+    walls.move(time_ + time_step, time_step);
     for (std::size_t i = 0; i < nodes_.n; ++i)
       {
-        Quad &x = nodes_.xp[i], &v = nodes_.v[i];
+        Quad          &x = nodes_.xp[i], &v = nodes_.v[i];
+        const Vec<dim> x_old = nodes_.position(i);
         for (int d = 0; d < dim; ++d)
           {
             v[d] += 0.5 * time_step * nodes_.a[i][d];
             x[d] += time_step * v[d];
           }
         if (i >= nodes_.n_interface)
-          {
-            const auto contacts = nodes_.contacts[i];
-            walls.stop(x.c, v.c, nodes_.contacts[i]);
-            n_wall_stops_ += contacts != nodes_.contacts[i];
-          }
+          n_wall_stops_ += walls.stop(x_old, x.c, v.c, nodes_.mass[i], nodes_.contacts[i]);
       }
     time_ += time_step;
 
@@ -111,6 +112,8 @@ namespace Breakwater
     for (std::size_t i = 0; i < nodes_.n; ++i)
       for (int d = 0; d < dim; ++d)
         nodes_.v[i][d] += 0.5 * time_step * nodes_.a[i][d];
+    walls.act(0.5 * time_step);
+    walls.finish_step();
 
     context_->cell_steps += mesh_.cells.size();
     refresh_surface();
@@ -155,8 +158,6 @@ namespace Breakwater
     const auto body = [&](const std::size_t i) {
       return body_acceleration_[body_force_is_uniform_ ? 0 : i];
     };
-    const auto &walls = parameters_.walls;
-
     if (effects_.density_diffusion)
       {
         // The hydrostatic gradient of the density in a fluid that accelerates by a is rho / c^2 (g - a).
@@ -177,11 +178,15 @@ namespace Breakwater
         for (int d = 0; d < dim; ++d)
           nodes_.a[i][d] = nodes_.force[i][d] / mass + body(i)[d];
       }
+    auto &walls = parameters_.walls;
+    walls.begin_forces();
     for (std::size_t i = nodes_.n_interface; i < nodes_.n; ++i)
       {
         for (int d = 0; d < dim; ++d)
           nodes_.a[i][d] = nodes_.force[i][d] / nodes_.mass[i] + body(i)[d];
-        walls.constrain(nodes_.a[i].c, nodes_.v[i].c, nodes_.contacts[i]);
+        const double slip_rate =
+          nodes_.slip_conductance.empty() ? 0. : effects_.viscosity * nodes_.slip_conductance[i] / nodes_.mass[i];
+        walls.constrain(nodes_.xp[i].c, nodes_.a[i].c, nodes_.v[i].c, nodes_.mass[i], slip_rate, nodes_.contacts[i]);
       }
   }
 
@@ -299,6 +304,8 @@ namespace Breakwater
     const double allowed = parameters_.largest_strain * parameters_.spacing;
     if (largest_relative_displacement<dim>(mesh_.cells, nodes_.xp, nodes_.position_at_remesh) > allowed)
       return true;
+    if (parameters_.walls.has_travelled(0.3 * parameters_.spacing))
+      return true;
     // Bodies of fluid that fly towards each other share no cell: look again before they can pass a node.
     for (std::size_t i = 0; i < nodes_.n; ++i)
       if (nodes_.is_surface[i] || !nodes_.has_cells[i])
@@ -370,8 +377,8 @@ namespace Breakwater
     for (std::size_t i = nodes_.n_interface; i < nodes_.n; ++i)
       if (nodes_.has_cells[i])
         {
-          if (nodes_.contacts[i] != 0)
-            parameters_.walls.mask(impulse[i].c, nodes_.contacts[i]);
+          if (!nodes_.contacts[i].empty())
+            parameters_.walls.mask_impulse(nodes_.xp[i].c, impulse[i].c, nodes_.contacts[i]);
           for (int d = 0; d < dim; ++d)
             nodes_.v[i][d] += impulse[i][d] / nodes_.mass[i];
         }

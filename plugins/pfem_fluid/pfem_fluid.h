@@ -82,7 +82,7 @@ namespace Breakwater
     void add_remeshing_row(const RemeshRecord &record, const DomainBalance<dim> &before,
                            const DomainBalance<dim> &after);
 
-    /// Energy of the fluid less what the interface's link forces gave it [J].
+    /// Energy of the fluid less what the interface's link forces and moving walls gave it [J].
     double own_energy(const DomainBalance<dim> &balance) const;
 
     PfemParameters<dim>    parameters_;

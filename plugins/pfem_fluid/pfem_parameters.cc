@@ -156,6 +156,9 @@ namespace Breakwater
     walls.check_parameters(reader);
     initial_state.check(reader, walls.extent());
     check_spacing(reader);
+    walls.set_spacing(spacing);
+    if (walls.any_has_navier_slip() && !(rheology.front().is_viscous() && rheology.front().is_newtonian()))
+      reader.fail("Rheology", "a wall has Law = navier slip, whose traction needs one viscosity: take newtonian");
   }
 
 

@@ -113,23 +113,35 @@ namespace Breakwater
     const double                tolerance             = 0.01 * h;
     const double                least_volume_at_walls = 0.02 * regular_volume<dim>(h);
     const std::vector<Vec<dim>> position              = nodes_.positions();
+    const Walls<dim>           &walls                 = parameters_.walls;
     for (std::size_t i = 0; i < nodes_.n; ++i)
-      nodes_.walls[i] = parameters_.walls.planes_at(position[i], tolerance);
+      nodes_.walls[i] = walls.faces_at(position[i], tolerance);
+
+    // An edge of a cell, at most twice the circumradius long, passes through surfaces close to one of its ends only.
+    std::vector<char> near_surface(nodes_.n, 0);
+    if (walls.any_has_surface())
+      for (std::size_t i = 0; i < nodes_.n; ++i)
+        near_surface[i] = !walls.are_far(position[i], parameters_.alpha * h);
 
     const auto is_interface = [&](const unsigned int i) {
       return i < nodes_.n_interface;
     };
     const auto keep = [&](const typename SimplexMesh<dim>::Cell &cell) {
-      auto common       = nodes_.walls[cell[0]];
-      bool is_all_fixed = true, has_interface = false, is_all_interface = true;
+      Contacts shared       = nodes_.walls[cell[0]];
+      bool     is_all_fixed = true, is_near_surface = false, has_interface = false, is_all_interface = true;
       for (const unsigned int i : cell)
         {
-          common &= nodes_.walls[i];
-          is_all_fixed     = is_all_fixed && (nodes_.walls[i] != 0 || is_interface(i));
+          shared           = common(shared, nodes_.walls[i]);
+          is_all_fixed     = is_all_fixed && (!nodes_.walls[i].empty() || is_interface(i));
+          is_near_surface  = is_near_surface || near_surface[i];
           has_interface    = has_interface || is_interface(i);
           is_all_interface = is_all_interface && is_interface(i);
         }
-      if (common != 0 || is_all_interface || (is_inside && !is_inside(cell)))
+      if (is_all_interface || (is_inside && !is_inside(cell)))
+        return false;
+      if (!shared.empty() && walls.flatten(shared, corners(position, cell)))
+        return false;
+      if (is_near_surface && walls.separate(corners(position, cell)))
         return false;
       if (is_all_fixed && signed_volume(corners(position, cell)) < least_volume_at_walls)
         return false;
@@ -137,17 +149,18 @@ namespace Breakwater
     };
     // A flat cell along a wall has a large circumradius only because its nodes have come close to the wall. Without it
     // there would be a free surface at the wall, deep in the fluid, and the pressure would push into the hole.
-    std::vector<typename Walls<dim>::Contacts> near_walls(nodes_.n);
+    std::vector<Contacts> near_walls(nodes_.n);
     for (std::size_t i = 0; i < nodes_.n; ++i)
-      near_walls[i] = parameters_.walls.planes_at(position[i], 0.5 * h);
+      near_walls[i] = walls.faces_at(position[i], 0.5 * h);
     const auto lies_along_wall = [&](const typename SimplexMesh<dim>::Cell &cell) {
-      auto common = near_walls[cell[0]];
+      Contacts shared = near_walls[cell[0]];
       for (const unsigned int i : cell)
-        common &= near_walls[i];
-      return common != 0 && longest_edge<dim>(corners(position, cell)) <= 1.9 * parameters_.alpha * h;
+        shared = common(shared, near_walls[i]);
+      return !shared.empty() && longest_edge<dim>(corners(position, cell)) <= 1.9 * parameters_.alpha * h;
     };
     mesh_                     = alpha_shape<dim>(position, parameters_.alpha * h, keep, lies_along_wall);
     nodes_.position_at_remesh = nodes_.xp;
+    parameters_.walls.note_remesh();
   }
 
 
@@ -163,7 +176,7 @@ namespace Breakwater
     classify_nodes();
     std::vector<char> is_fixed(nodes_.n);
     for (std::size_t i = 0; i < nodes_.n; ++i)
-      is_fixed[i] = i < nodes_.n_interface || nodes_.is_surface[i] || nodes_.walls[i] != 0 || !nodes_.has_cells[i];
+      is_fixed[i] = i < nodes_.n_interface || nodes_.is_surface[i] || !nodes_.walls[i].empty() || !nodes_.has_cells[i];
     double sum_of_moves = 0;
     for (std::size_t s = 0; s < parameters_.mesh_smoothers.size(); ++s)
       {
@@ -189,21 +202,32 @@ namespace Breakwater
   {
     std::fill(nodes_.has_cells.begin(), nodes_.has_cells.end(), 0);
     std::fill(nodes_.is_surface.begin(), nodes_.is_surface.end(), 0);
+    const Walls<dim> &walls    = parameters_.walls;
+    const bool        has_slip = walls.any_has_navier_slip();
+    if (has_slip)
+      nodes_.slip_conductance.assign(nodes_.n, 0.);
     for (const auto &cell : mesh_.cells)
       for (const unsigned int i : cell)
         nodes_.has_cells[i] = 1;
     for (const auto &facet : mesh_.boundary)
       {
-        auto common       = nodes_.walls[facet[0]];
-        bool is_interface = true;
-        for (const unsigned int i : facet)
+        Contacts                  shared       = nodes_.walls[facet[0]];
+        bool                      is_interface = true;
+        std::array<Vec<dim>, dim> corner;
+        for (int a = 0; a < dim; ++a)
           {
-            common &= nodes_.walls[i];
-            is_interface = is_interface && i < nodes_.n_interface;
+            const unsigned int i = facet[a];
+            shared               = common(shared, nodes_.walls[i]);
+            is_interface         = is_interface && i < nodes_.n_interface;
+            corner[a]            = nodes_.position(i);
           }
-        if (common == 0 && !is_interface)
+        const bool is_at_wall = !shared.empty() && walls.close(shared, corner);
+        if (!is_at_wall && !is_interface)
           for (const unsigned int i : facet)
             nodes_.is_surface[i] = 1;
+        if (is_at_wall && has_slip)
+          for (const unsigned int i : facet)
+            nodes_.slip_conductance[i] += walls.slip_conductance(shared, corner) / dim;
       }
   }
 
@@ -229,10 +253,11 @@ namespace Breakwater
     const double scale      = cost > 0 ? std::clamp(dissipated / cost, 0., 1.) : 1.;
     for (std::size_t i = nodes_.n_interface; i < nodes_.n; ++i)
       {
+        const Vec<dim> x = nodes_.position(i);
         for (int d = 0; d < dim; ++d)
           nodes_.xp[i][d] += scale * shift[i][d];
         Quad unused;
-        parameters_.walls.stop(nodes_.xp[i].c, unused.c, nodes_.contacts[i]);
+        parameters_.walls.stop(x, nodes_.xp[i].c, unused.c, 0., nodes_.contacts[i]);
       }
     record.correction_scale = scale;
   }
@@ -260,7 +285,7 @@ namespace Breakwater
       }
     const double largest = 0.1 * parameters_.spacing;
     for (std::size_t i = nodes_.n_interface; i < nodes_.n; ++i)
-      if (nodes_.has_cells[i] && !nodes_.is_surface[i] && nodes_.contacts[i] == 0 && nodes_.walls[i] == 0)
+      if (nodes_.has_cells[i] && !nodes_.is_surface[i] && nodes_.contacts[i].empty() && nodes_.walls[i].empty())
         {
           Vec<dim> shift;
           for (int d = 0; d < dim; ++d)
@@ -268,8 +293,14 @@ namespace Breakwater
           const double length = norm(shift);
           if (length > largest)
             shift *= largest / length;
+          const Vec<dim> x = nodes_.position(i);
           for (int d = 0; d < dim; ++d)
             nodes_.xp[i][d] += shift[d];
+          if (parameters_.walls.any_has_surface())
+            {
+              Quad unused;
+              parameters_.walls.stop(x, nodes_.xp[i].c, unused.c, 0., nodes_.contacts[i]);
+            }
         }
   }
 

@@ -82,8 +82,8 @@ namespace Breakwater
           {
             for (int d = 0; d < dim; ++d)
               u[i][d] *= mobility_[i];
-            if (nodes_.contacts[i] != 0)
-              walls_.mask(u[i].c, nodes_.contacts[i]);
+            if (!nodes_.contacts[i].empty())
+              walls_.mask(nodes_.xp[i].c, u[i].c, nodes_.contacts[i]);
           }
       }
 

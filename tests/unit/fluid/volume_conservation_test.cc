@@ -229,7 +229,7 @@ TYPED_TEST(VolumeConservation, CorrectionMovesNeitherInterfaceNodesNorThroughWal
   const Walls<dim> tank  = one_tank<dim>();
   // The block lies in the tank's corner: those faces are no free surface.
   for (std::size_t i = 0; i < block.nodes.n; ++i)
-    block.nodes.contacts[i] = tank.planes_at(block.nodes.position(i), 1e-9);
+    block.nodes.contacts[i] = tank.faces_at(block.nodes.position(i), 1e-9);
   block.nodes.n_interface       = 10;
   const std::vector<Quad> shift = correction(block, tank);
   ASSERT_EQ(shift.size(), block.nodes.n);
@@ -241,7 +241,7 @@ TYPED_TEST(VolumeConservation, CorrectionMovesNeitherInterfaceNodesNorThroughWal
         {
           EXPECT_EQ(length_of<dim>(shift[i]), 0.);
         }
-      if (block.nodes.contacts[i] != 0)
+      if (!block.nodes.contacts[i].empty())
         {
           ++n_at_walls;
           for (int d = 0; d < dim; ++d)

@@ -19,16 +19,26 @@ namespace
   }
 
   // The order of the planes of an open box: x lower, x upper, y lower, z lower, z upper.
-  constexpr std::uint32_t left = 1, right = 2, bottom = 4, back = 8;
+  constexpr Contacts::Face left = 0, right = 1, bottom = 2, back = 3;
+
+  constexpr double origin[3] = {};
+
+  Contacts contacts_of(const std::vector<Contacts::Face> &faces)
+  {
+    Contacts contacts;
+    for (const Contacts::Face face : faces)
+      contacts.add(face);
+    return contacts;
+  }
 } // namespace
 
 
 TEST(Walls, OpenBoxLacksTheUpperFaceInY)
 {
-  EXPECT_EQ(tank<2>("free slip").planes().size(), 3u);
-  EXPECT_EQ(tank<3>("free slip").planes().size(), 5u);
-  EXPECT_EQ(tank<2>("free slip", "box").planes().size(), 4u);
-  EXPECT_EQ(tank<3>("free slip", "box").planes().size(), 6u);
+  EXPECT_EQ(tank<2>("free slip").n_faces(), 3u);
+  EXPECT_EQ(tank<3>("free slip").n_faces(), 5u);
+  EXPECT_EQ(tank<2>("free slip", "box").n_faces(), 4u);
+  EXPECT_EQ(tank<3>("free slip", "box").n_faces(), 6u);
 }
 
 
@@ -44,32 +54,32 @@ TEST(Walls, ShapeThatIsNoBoxIsRefused)
 TEST(Walls, KnowThePlanesOfAPlace)
 {
   const Walls<3> walls = tank<3>("free slip");
-  EXPECT_EQ(walls.planes_at({{0.5, 0.5, 0.5}}, 1e-6), 0u);
-  EXPECT_EQ(walls.planes_at({{1e-7, -1e-7, 0.5}}, 1e-6), left | bottom);
-  EXPECT_EQ(walls.planes_at({{1., 0., 0.}}, 0.), right | bottom | back);
+  EXPECT_EQ(walls.faces_at({{0.5, 0.5, 0.5}}, 1e-6), Contacts());
+  EXPECT_EQ(walls.faces_at({{1e-7, -1e-7, 0.5}}, 1e-6), contacts_of({left, bottom}));
+  EXPECT_EQ(walls.faces_at({{1., 0., 0.}}, 0.), contacts_of({right, bottom, back}));
 }
 
 
 TEST(Walls, StopIsAnInelasticImpact)
 {
-  const Walls<2> walls = tank<2>("free slip");
-  double         x[2] = {1.1, 0.5}, v[2] = {3., 4.};
-  std::uint32_t  contacts = 0;
-  walls.stop(x, v, contacts);
+  Walls<2> walls = tank<2>("free slip");
+  double   x[2] = {1.1, 0.5}, v[2] = {3., 4.};
+  Contacts contacts;
+  walls.stop({}, x, v, 0., contacts);
   EXPECT_EQ(x[0], 1.);
   EXPECT_EQ(x[1], 0.5);
   EXPECT_EQ(v[0], 0.);
   EXPECT_EQ(v[1], 4.);
-  EXPECT_EQ(contacts, right);
+  EXPECT_EQ(contacts, contacts_of({right}));
 }
 
 
 TEST(Walls, StopKeepsAVelocityThatLeadsBack)
 {
-  const Walls<2> walls = tank<2>("free slip");
-  double         x[2] = {-0.1, 0.5}, v[2] = {3., 4.};
-  std::uint32_t  contacts = 0;
-  walls.stop(x, v, contacts);
+  Walls<2> walls = tank<2>("free slip");
+  double   x[2] = {-0.1, 0.5}, v[2] = {3., 4.};
+  Contacts contacts;
+  walls.stop({}, x, v, 0., contacts);
   EXPECT_EQ(x[0], 0.);
   EXPECT_EQ(v[0], 3.);
 }
@@ -77,76 +87,76 @@ TEST(Walls, StopKeepsAVelocityThatLeadsBack)
 
 TEST(Walls, StopLeavesNodesInsideAndOnAPlaneAlone)
 {
-  const Walls<2> walls = tank<2>("no slip");
-  double         x[2] = {0., 5.}, v[2] = {-3., 4.};
-  std::uint32_t  contacts = 0;
-  walls.stop(x, v, contacts);
+  Walls<2> walls = tank<2>("no slip");
+  double   x[2] = {0., 5.}, v[2] = {-3., 4.};
+  Contacts contacts;
+  walls.stop({}, x, v, 0., contacts);
   EXPECT_EQ(v[0], -3.);
   EXPECT_EQ(v[1], 4.);
-  EXPECT_EQ(contacts, 0u);
+  EXPECT_TRUE(contacts.empty());
 }
 
 
 TEST(Walls, StopWithoutSlipTakesTheWholeVelocity)
 {
-  const Walls<3> walls = tank<3>("no slip");
-  double         x[3] = {0.5, -0.1, 0.5}, v[3] = {3., 4., 5.};
-  std::uint32_t  contacts = 0;
-  walls.stop(x, v, contacts);
+  Walls<3> walls = tank<3>("no slip");
+  double   x[3] = {0.5, -0.1, 0.5}, v[3] = {3., 4., 5.};
+  Contacts contacts;
+  walls.stop({}, x, v, 0., contacts);
   EXPECT_EQ(x[1], 0.);
   for (const double component : v)
     EXPECT_EQ(component, 0.);
-  EXPECT_EQ(contacts, bottom);
+  EXPECT_EQ(contacts, contacts_of({bottom}));
 }
 
 
 TEST(Walls, StopInACornerMakesBothContacts)
 {
-  const Walls<2> walls = tank<2>("free slip");
-  double         x[2] = {1.2, -0.3}, v[2] = {1., -1.};
-  std::uint32_t  contacts = 0;
-  walls.stop(x, v, contacts);
+  Walls<2> walls = tank<2>("free slip");
+  double   x[2] = {1.2, -0.3}, v[2] = {1., -1.};
+  Contacts contacts;
+  walls.stop({}, x, v, 0., contacts);
   EXPECT_EQ(x[0], 1.);
   EXPECT_EQ(x[1], 0.);
   EXPECT_EQ(v[0], 0.);
   EXPECT_EQ(v[1], 0.);
-  EXPECT_EQ(contacts, right | bottom);
+  EXPECT_EQ(contacts, contacts_of({right, bottom}));
 }
 
 
 TEST(Walls, ConstrainHoldsWhatIsPressedOn)
 {
-  const Walls<2> walls = tank<2>("free slip");
-  double         a[2] = {7., -9.81}, v[2] = {2., -1e-3};
-  std::uint32_t  contacts = bottom;
-  walls.constrain(a, v, contacts);
+  Walls<2> walls = tank<2>("free slip");
+  double   a[2] = {7., -9.81}, v[2] = {2., -1e-3};
+  Contacts contacts = contacts_of({bottom});
+  walls.constrain(origin, a, v, 1., 0., contacts);
   EXPECT_EQ(a[0], 7.);
   EXPECT_EQ(a[1], 0.);
   EXPECT_EQ(v[0], 2.);
   EXPECT_EQ(v[1], 0.);
-  EXPECT_EQ(contacts, bottom);
+  EXPECT_EQ(contacts, contacts_of({bottom}));
 }
 
 
 TEST(Walls, ConstrainReleasesWhatIsPulledAway)
 {
-  const Walls<2> walls = tank<2>("free slip");
-  double         a[2] = {7., 1.}, v[2] = {2., 0.};
-  std::uint32_t  contacts = bottom | right; // the right wall's inside is at smaller x: 7 presses on
-  walls.constrain(a, v, contacts);
+  Walls<2> walls = tank<2>("free slip");
+  double   a[2] = {7., 1.}, v[2] = {2., 0.};
+  Contacts contacts = contacts_of({bottom, right}); // the right wall's inside is at smaller x: 7 presses on
+  walls.constrain(origin, a, v, 1., 0., contacts);
   EXPECT_EQ(a[0], 0.);
   EXPECT_EQ(a[1], 1.);
   EXPECT_EQ(v[0], 0.);
-  EXPECT_EQ(contacts, right);
+  EXPECT_EQ(contacts, contacts_of({right}));
 }
 
 
 TEST(Walls, ConstrainWithoutContactChangesNothing)
 {
-  const Walls<2> walls = tank<2>("no slip");
-  double         a[2] = {7., -1.}, v[2] = {2., -3.};
-  std::uint32_t  contacts = 0;
-  walls.constrain(a, v, contacts);
+  Walls<2> walls = tank<2>("no slip");
+  double   a[2] = {7., -1.}, v[2] = {2., -3.};
+  Contacts contacts;
+  walls.constrain(origin, a, v, 1., 0., contacts);
   EXPECT_EQ(a[1], -1.);
   EXPECT_EQ(v[1], -3.);
 }
@@ -154,18 +164,18 @@ TEST(Walls, ConstrainWithoutContactChangesNothing)
 
 TEST(Walls, ConstrainWithoutSlipHoldsAllDirectionsUntilRelease)
 {
-  const Walls<3> walls = tank<3>("no slip");
-  double         a[3] = {7., -1., 5.}, v[3] = {2., 0., 1.};
-  std::uint32_t  contacts = bottom;
-  walls.constrain(a, v, contacts);
+  Walls<3> walls = tank<3>("no slip");
+  double   a[3] = {7., -1., 5.}, v[3] = {2., 0., 1.};
+  Contacts contacts = contacts_of({bottom});
+  walls.constrain(origin, a, v, 1., 0., contacts);
   for (int d = 0; d < 3; ++d)
     {
       EXPECT_EQ(a[d], 0.);
       EXPECT_EQ(v[d], 0.);
     }
   double away[3] = {7., 1., 5.};
-  walls.constrain(away, v, contacts);
-  EXPECT_EQ(contacts, 0u);
+  walls.constrain(origin, away, v, 1., 0., contacts);
+  EXPECT_TRUE(contacts.empty());
   EXPECT_EQ(away[0], 7.);
 }
 
@@ -175,9 +185,9 @@ TEST(Walls, MaskTakesBothSenses)
   for (const double sign : {1., -1.})
     {
       double slip[3] = {sign, sign, sign}, stick[3] = {sign, sign, sign}, free[3] = {sign, sign, sign};
-      tank<3>("free slip").mask(slip, left | bottom);
-      tank<3>("no slip").mask(stick, bottom);
-      tank<3>("no slip").mask(free, 0);
+      tank<3>("free slip").mask(origin, slip, contacts_of({left, bottom}));
+      tank<3>("no slip").mask(origin, stick, contacts_of({bottom}));
+      tank<3>("no slip").mask(origin, free, Contacts());
       EXPECT_EQ(slip[0], 0.);
       EXPECT_EQ(slip[1], 0.);
       EXPECT_EQ(slip[2], sign);
