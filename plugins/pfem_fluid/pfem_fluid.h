@@ -1,5 +1,6 @@
 #pragma once
 
+#include "delaunay_mesh.h"
 #include "fluid_nodes.h"
 #include "kernels.h"
 #include "pfem_parameters.h"
@@ -68,8 +69,9 @@ namespace Breakwater
     void set_initial_pressure();
 
     // remeshing.cc
-    void remesh();
-    void triangulate(const std::function<bool(const typename SimplexMesh<dim>::Cell &)> &is_inside = {});
+    void                               remesh();
+    typename DelaunayMesh<dim>::Report triangulate(
+      const std::function<bool(const typename SimplexMesh<dim>::Cell &)> &is_inside = {});
     void smooth_mesh(RemeshRecord &record);
     void classify_nodes();
     void shift_to_centroids();
@@ -91,6 +93,7 @@ namespace Breakwater
     RunContext            *context_     = nullptr;
 
     FluidNodes<dim>       nodes_;
+    DelaunayMesh<dim>     triangulation_;
     SimplexMesh<dim>      mesh_;
     AdoptedSurface<dim>   adopted_;
     ForceEffects          effects_;

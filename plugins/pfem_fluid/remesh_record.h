@@ -16,12 +16,13 @@ namespace Breakwater
   template <int dim>
   struct PfemFluid<dim>::RemeshRecord
   {
-    QualityReport   quality_before, quality_after; ///< smoothing between
-    SmoothingReport smoothing;
-    double          correction_scale      = 0; ///< of the position correction, by the energy limiter
-    double          triangulation_seconds = 0;
-    double          smoothing_seconds     = 0;
-    double          transfer_seconds      = 0;
-    unsigned int    n_pushed_out          = 0;
+    QualityReport                      quality_before, quality_after; ///< smoothing between
+    SmoothingReport                    smoothing;
+    typename DelaunayMesh<dim>::Report triangulation;
+    double                             correction_scale      = 0; ///< of the position correction, by the energy limiter
+    double                             triangulation_seconds = 0;
+    double                             smoothing_seconds     = 0;
+    double                             transfer_seconds      = 0;
+    unsigned int                       n_pushed_out          = 0;
   };
 } // namespace Breakwater

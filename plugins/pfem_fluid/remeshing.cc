@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace Breakwater
 {
@@ -69,7 +70,7 @@ namespace Breakwater
       sort_nodes();
     {
       PhaseTimer triangulation_timer(*context_, Phase::remeshing);
-      triangulate();
+      record.triangulation         = triangulate();
       record.triangulation_seconds = triangulation_timer.seconds();
     }
     smooth_mesh(record);
@@ -107,7 +108,8 @@ namespace Breakwater
 
 
   template <int dim>
-  void PfemFluid<dim>::triangulate(const std::function<bool(const typename SimplexMesh<dim>::Cell &)> &is_inside)
+  typename DelaunayMesh<dim>::Report PfemFluid<dim>::triangulate(
+    const std::function<bool(const typename SimplexMesh<dim>::Cell &)> &is_inside)
   {
     const double                h                     = parameters_.spacing;
     const double                tolerance             = 0.01 * h;
@@ -158,9 +160,11 @@ namespace Breakwater
         shared = common(shared, near_walls[i]);
       return !shared.empty() && longest_edge<dim>(corners(position, cell)) <= 1.9 * parameters_.alpha * h;
     };
-    mesh_                     = alpha_shape<dim>(position, parameters_.alpha * h, keep, lies_along_wall);
+    const auto report         = triangulation_.update(position);
+    mesh_                     = alpha_shape<dim>(triangulation_, parameters_.alpha * h, keep, lies_along_wall);
     nodes_.position_at_remesh = nodes_.xp;
     parameters_.walls.note_remesh();
+    return report;
   }
 
 
@@ -310,18 +314,22 @@ namespace Breakwater
   {
     std::vector<Vec<dim>> position = nodes_.positions();
     position.erase(position.begin(), position.begin() + nodes_.n_interface);
-    const std::vector<unsigned int> order = hilbert_order(position);
+    std::vector<unsigned int> order(nodes_.n_interface);
+    std::iota(order.begin(), order.end(), 0u);
+    for (const unsigned int i : hilbert_order(position))
+      order.push_back(nodes_.n_interface + i);
 
     const auto permute = [&](auto &values) {
       const auto old = values;
       for (std::size_t k = 0; k < order.size(); ++k)
-        values[nodes_.n_interface + k] = old[nodes_.n_interface + order[k]];
+        values[k] = old[order[k]];
     };
     for (auto *values : {&nodes_.xp, &nodes_.v, &nodes_.a})
       permute(*values);
     for (auto *values : {&nodes_.mass, &nodes_.base_density, &nodes_.density})
       permute(*values);
     permute(nodes_.contacts);
+    triangulation_.renumber(order);
   }
 
 
@@ -426,6 +434,9 @@ namespace Breakwater
                {"median r [-]", record.quality_after.median},
                {"smoothed nodes [-]", static_cast<double>(record.smoothing.n_moved_nodes)},
                {"largest smoothing move [m]", record.smoothing.largest_move},
+               {"new triangulation [-]", static_cast<double>(record.triangulation.is_full)},
+               {"flips [-]", static_cast<double>(record.triangulation.n_flips)},
+               {"rebuilt cells [-]", static_cast<double>(record.triangulation.n_rebuilt_cells)},
                {"triangulation [CPU s]", record.triangulation_seconds},
                {"smoothing [CPU s]", record.smoothing_seconds},
                {"transfer [CPU s]", record.transfer_seconds},

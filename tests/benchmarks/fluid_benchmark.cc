@@ -21,6 +21,7 @@ namespace
   struct Cloud
   {
     std::vector<Vec<3>>     position;
+    DelaunayMesh<3>         triangulation;
     SimplexMesh<3>          mesh;
     std::vector<Quad>       xp, v, density_slope, force;
     std::vector<double>     volume;
@@ -55,7 +56,13 @@ namespace
 
     void triangulate()
     {
-      mesh = alpha_shape<3>(position, 1.4 * spacing, [](const SimplexMesh<3>::Cell &) {
+      triangulation.rebuild(position);
+      cut();
+    }
+
+    void cut()
+    {
+      mesh = alpha_shape<3>(triangulation, 1.4 * spacing, [](const SimplexMesh<3>::Cell &) {
         return true;
       });
     }
@@ -112,6 +119,40 @@ namespace
     state.counters["nodes"] = cloud(state.range(0)).position.size();
   }
 
+  void alpha_shape_of_triangulation(benchmark::State &state)
+  {
+    repeat(state, [](Cloud &c) {
+      c.cut();
+    });
+  }
+
+  /// The nodes go to and fro by a hundredth of state.range(1) spacings against their neighbours, in waves of 20.
+  void triangulation_repair(benchmark::State &state)
+  {
+    Cloud                    &c           = cloud(state.range(0));
+    const double              wave_number = 2 * 3.14159265358979 / (20 * Cloud::spacing);
+    const double              amplitude   = 0.01 * state.range(1) / wave_number;
+    const std::vector<Vec<3>> start       = c.position;
+    std::vector<Vec<3>>       moved       = start;
+    for (Vec<3> &x : moved)
+      for (int d = 0; d < 3; ++d)
+        x[d] += amplitude * std::sin(wave_number * x[(d + 1) % 3]) * std::cos(wave_number * x[(d + 2) % 3]);
+    c.triangulation.rebuild(start);
+    std::size_t n_flips = 0, n_full = 0;
+    bool        is_moved = false;
+    for (auto _ : state)
+      {
+        is_moved          = !is_moved;
+        const auto report = c.triangulation.update(is_moved ? moved : start);
+        n_flips += report.n_flips;
+        n_full += report.is_full;
+      }
+    c.triangulation.rebuild(start);
+    state.SetItemsProcessed(state.iterations() * c.mesh.cells.size());
+    state.counters["flips"] = static_cast<double>(n_flips) / state.iterations();
+    state.counters["full"]  = static_cast<double>(n_full) / state.iterations();
+  }
+
   void peak_multiply_adds(benchmark::State &state)
   {
     constexpr int n = 32;
@@ -152,6 +193,11 @@ BENCHMARK_CAPTURE(step, viscous_diffusion, true, true)
   ->Arg(120000)
   ->Unit(benchmark::kMillisecond);
 BENCHMARK(triangulation)->Arg(13000)->Arg(120000)->Unit(benchmark::kMillisecond);
+BENCHMARK(alpha_shape_of_triangulation)->Arg(13000)->Arg(120000)->Unit(benchmark::kMillisecond);
+BENCHMARK(triangulation_repair)
+  ->ArgsProduct({{13000, 120000}, {0, 5, 20}})
+  ->ArgNames({"nodes", "hundredths_of_h"})
+  ->Unit(benchmark::kMillisecond);
 BENCHMARK(peak_multiply_adds);
 BENCHMARK(triad)->Arg(1 << 12)->Arg(1 << 17)->Arg(1 << 24);
 BENCHMARK_MAIN();

@@ -154,7 +154,7 @@ TYPED_TEST(AlphaShape, AsksTheCallerAboutEveryCell)
     });
   };
   const auto whole = mesh_of<dim>(position);
-  const auto left  = alpha_shape<dim>(position, 1.25 * spacing, is_left);
+  const auto left  = alpha_shape<dim>(triangulation_of<dim>(position), 1.25 * spacing, is_left);
   EXPECT_EQ(left.cells.size(),
             static_cast<std::size_t>(std::count_if(whole.cells.begin(), whole.cells.end(), is_left)));
   EXPECT_GT(left.cells.size(), 0u);

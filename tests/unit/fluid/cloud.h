@@ -77,9 +77,17 @@ namespace Breakwater
   }
 
   template <int dim>
+  DelaunayMesh<dim> triangulation_of(const std::vector<Vec<dim>> &position)
+  {
+    DelaunayMesh<dim> triangulation;
+    triangulation.rebuild(position);
+    return triangulation;
+  }
+
+  template <int dim>
   SimplexMesh<dim> mesh_of(const std::vector<Vec<dim>> &position, const double alpha = 1.25)
   {
-    return alpha_shape<dim>(position, alpha * spacing, [](const auto &) {
+    return alpha_shape<dim>(triangulation_of<dim>(position), alpha * spacing, [](const auto &) {
       return true;
     });
   }

@@ -48,7 +48,7 @@ namespace
       : shape(shape_of<dim>(text))
       , size(size_of<dim>(spacing))
       , nodes(shape.place_nodes(size, {}))
-      , mesh(alpha_shape<dim>(nodes, 1.4 * size.largest(), [this](const auto &cell) {
+      , mesh(alpha_shape<dim>(triangulation_of<dim>(nodes), 1.4 * size.largest(), [this](const auto &cell) {
         const Simplex<dim> x = corners<dim>(nodes, cell);
         Vec<dim>           center;
         for (const Vec<dim> &corner : x)

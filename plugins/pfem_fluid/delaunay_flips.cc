@@ -1,0 +1,230 @@
+#include "delaunay_mesh.h"
+#include "predicates.h"
+
+#include <algorithm>
+
+namespace Breakwater
+{
+  namespace
+  {
+    /// Corners of the facet opposite to a corner of a tetrahedron: followed by that corner, an even permutation.
+    constexpr unsigned int facet_corners[4][3] = {{1, 3, 2}, {0, 2, 3}, {0, 3, 1}, {0, 1, 2}};
+  } // namespace
+
+
+  template <int dim>
+  void DelaunayMesh<dim>::flip_all()
+  {
+    // Each flip of valid cells lowers the lifted surface, each other one the number of inverted cells: this ends. A
+    // facet that can't be flipped now may be when its surroundings have changed.
+    std::size_t n_flips_before;
+    do
+      {
+        n_flips_before = report_.n_flips;
+        to_check_.insert(to_check_.end(), stuck_.begin(), stuck_.end());
+        stuck_.clear();
+        while (!to_check_.empty())
+          {
+            const Facet facet = to_check_.back();
+            to_check_.pop_back();
+            if (!needs_flip(facet))
+              continue;
+            if (try_flip(facet))
+              ++report_.n_flips;
+            else
+              stuck_.push_back(facet);
+          }
+      }
+    while (!stuck_.empty() && report_.n_flips > n_flips_before);
+    stuck_.erase(std::remove_if(stuck_.begin(), stuck_.end(),
+                                [&](const Facet &facet) {
+                                  return !needs_flip(facet);
+                                }),
+                 stuck_.end());
+  }
+
+
+  template <int dim>
+  bool DelaunayMesh<dim>::needs_flip(const Facet &facet) const
+  {
+    const unsigned int neighbor = cells_[facet.cell].neighbor[facet.opposite];
+    if (neighbor == no_cell)
+      return false;
+    if (state_[facet.cell] != State::positive || state_[neighbor] != State::positive)
+      return true;
+    const unsigned int q = cells_[neighbor].node[corner_towards(neighbor, facet.cell)];
+    return Circumsphere<dim>(corners_of(cells_[facet.cell].node)).contains(position_[q]);
+  }
+
+
+  template <int dim>
+  int DelaunayMesh<dim>::orientation(const std::array<unsigned int, dim + 1> &node) const
+  {
+    return Circumsphere<dim>(corners_of(node)).orientation();
+  }
+
+
+  template <int dim>
+  typename DelaunayMesh<dim>::Facet DelaunayMesh<dim>::outside_of(const unsigned int cell,
+                                                                  const unsigned int node) const
+  {
+    const unsigned int neighbor = cells_[cell].neighbor[corner_at(cell, node)];
+    return {neighbor, neighbor == no_cell ? 0 : corner_towards(neighbor, cell)};
+  }
+
+
+  template <int dim>
+  template <std::size_t n_old, std::size_t n_new>
+  bool DelaunayMesh<dim>::replace(const std::array<unsigned int, n_old>               &old_cells,
+                                  const std::array<Cell, n_new>                       &new_cells,
+                                  const std::array<std::array<Facet, dim + 1>, n_new> &outside)
+  {
+    // Cells that share two facets can't be linked by their numbers. (Next to inverted cells they could arise.)
+    for (const auto &facets : outside)
+      for (unsigned int a = 0; a <= dim; ++a)
+        if (facets[a].cell != no_cell)
+          {
+            if (std::find(old_cells.begin(), old_cells.end(), facets[a].cell) != old_cells.end())
+              return false;
+            for (unsigned int b = 0; b < a; ++b)
+              if (facets[b].cell == facets[a].cell)
+                return false;
+          }
+
+    bool had_inverted = false;
+    for (const unsigned int cell : old_cells)
+      had_inverted = had_inverted || state_[cell] != State::positive;
+    std::array<unsigned int, n_new> number;
+    for (std::size_t k = 0; k < n_new; ++k)
+      number[k] = k < n_old ? old_cells[k] : new_cell();
+    for (std::size_t k = n_new; k < n_old; ++k)
+      delete_cell(old_cells[k]);
+
+    for (std::size_t k = 0; k < n_new; ++k)
+      {
+        Cell &cell        = cells_[number[k]];
+        cell.node         = new_cells[k].node;
+        state_[number[k]] = State::positive;
+        for (unsigned int a = 0; a <= dim; ++a)
+          {
+            const unsigned int inside = new_cells[k].neighbor[a];
+            if (inside != no_cell)
+              cell.neighbor[a] = number[inside];
+            else
+              {
+                cell.neighbor[a] = outside[k][a].cell;
+                if (outside[k][a].cell != no_cell)
+                  cells_[outside[k][a].cell].neighbor[outside[k][a].opposite] = number[k];
+              }
+            // Facets between the new cells of a flip of dim + 2 points are right if the old cells were positive.
+            if (inside == no_cell || had_inverted || n_old == 4)
+              to_check_.push_back({number[k], a});
+          }
+      }
+    return true;
+  }
+
+
+  template <int dim>
+  bool DelaunayMesh<dim>::try_flip(const Facet &facet)
+  {
+    if constexpr (dim == 2)
+      return try_flip_in_2d(facet);
+    else
+      return try_flip_in_3d(facet);
+  }
+
+
+  template <int dim>
+  bool DelaunayMesh<dim>::try_flip_in_2d(const Facet &facet)
+  {
+    if constexpr (dim == 2)
+      {
+        // Edge ab between c in cell A and d in cell B becomes edge cd.
+        const unsigned int A = facet.cell, B = cells_[A].neighbor[facet.opposite];
+        const unsigned int a = cells_[A].node[(facet.opposite + 1) % 3], b = cells_[A].node[(facet.opposite + 2) % 3],
+                           c = cells_[A].node[facet.opposite], d = cells_[B].node[corner_towards(B, A)];
+        if (orientation({a, d, c}) <= 0 || orientation({d, b, c}) <= 0)
+          return false;
+        constexpr Facet none{no_cell, 0};
+        return replace<2, 2>(
+          {A, B}, {{{{a, d, c}, {1, no_cell, no_cell}}, {{d, b, c}, {no_cell, 0, no_cell}}}},
+          {{{none, outside_of(A, b), outside_of(B, b)}, {outside_of(A, a), none, outside_of(B, a)}}});
+      }
+    else
+      return false;
+  }
+
+
+  template <int dim>
+  bool DelaunayMesh<dim>::try_flip_in_3d(const Facet &facet)
+  {
+    if constexpr (dim == 3)
+      {
+        // Facet (f0, f1, f2) between d in cell A and e in cell B.
+        const unsigned int  A = facet.cell, B = cells_[A].neighbor[facet.opposite];
+        const unsigned int *corner = facet_corners[facet.opposite];
+        const unsigned int  f[3]   = {cells_[A].node[corner[0]], cells_[A].node[corner[1]], cells_[A].node[corner[2]]};
+        const unsigned int  d = cells_[A].node[facet.opposite], e = cells_[B].node[corner_towards(B, A)];
+        constexpr Facet     none{no_cell, 0};
+
+        // Cell i of those around a new edge de holds the edge (f_i, f_i+1).
+        int sign[3];
+        for (int i = 0; i < 3; ++i)
+          sign[i] = orientation({f[i], f[(i + 1) % 3], e, d});
+        const int n_positive = (sign[0] > 0) + (sign[1] > 0) + (sign[2] > 0);
+        if (n_positive < 2)
+          return false;
+
+        for (int i = 0; i < 3; ++i)
+          {
+            const unsigned int a = f[i], b = f[(i + 1) % 3], c = f[(i + 2) % 3];
+            if (sign[(i + 1) % 3] <= 0 || sign[(i + 2) % 3] <= 0)
+              continue;
+            const Facet to_C = outside_of(A, c), to_D = outside_of(B, c);
+            if (to_C.cell == no_cell || to_D.cell == no_cell)
+              continue;
+            const unsigned int C = to_C.cell, D = to_D.cell;
+            const bool         is_any_inverted = state_[A] != State::positive || state_[B] != State::positive ||
+                                         state_[C] != State::positive || state_[D] != State::positive;
+            if (C == D && (sign[i] <= 0 || state_[C] != State::positive))
+              // Three cells around edge ab become two on both sides of the facet (c, d, e).
+              return replace<3, 2>(
+                {A, B, C},
+                {{{{b, c, e, d}, {1, no_cell, no_cell, no_cell}}, {{c, a, e, d}, {no_cell, 0, no_cell, no_cell}}}},
+                {{{none, outside_of(C, a), outside_of(A, a), outside_of(B, a)},
+                  {outside_of(C, b), none, outside_of(A, b), outside_of(B, b)}}});
+            const unsigned int g = cells_[C].node[to_C.opposite];
+            if (C != D && (sign[i] == 0 || (sign[i] < 0 && is_any_inverted)) && cells_[D].node[to_D.opposite] == g &&
+                cells_[C].neighbor[corner_at(C, d)] == D && orientation({b, g, d, e}) > 0 &&
+                orientation({g, a, d, e}) > 0)
+              // Four cells around edge ab become four around edge de.
+              return replace<4, 4>({A, B, C, D},
+                                   {{{{b, c, e, d}, {1, 2, no_cell, no_cell}},
+                                     {{c, a, e, d}, {3, 0, no_cell, no_cell}},
+                                     {{b, g, d, e}, {3, 0, no_cell, no_cell}},
+                                     {{g, a, d, e}, {1, 2, no_cell, no_cell}}}},
+                                   {{{none, none, outside_of(A, a), outside_of(B, a)},
+                                     {none, none, outside_of(A, b), outside_of(B, b)},
+                                     {none, none, outside_of(D, a), outside_of(C, a)},
+                                     {none, none, outside_of(D, b), outside_of(C, b)}}});
+          }
+        if (n_positive < 3)
+          return false;
+        std::array<Cell, 3>                 cells;
+        std::array<std::array<Facet, 4>, 3> outside;
+        for (unsigned int i = 0; i < 3; ++i)
+          {
+            const unsigned int c = f[(i + 2) % 3];
+            cells[i]             = {{f[i], f[(i + 1) % 3], e, d}, {(i + 1) % 3, (i + 2) % 3, no_cell, no_cell}};
+            outside[i]           = {none, none, outside_of(A, c), outside_of(B, c)};
+          }
+        return replace<2, 3>({A, B}, cells, outside);
+      }
+    else
+      return false;
+  }
+
+  template class DelaunayMesh<2>;
+  template class DelaunayMesh<3>;
+} // namespace Breakwater

@@ -1,0 +1,231 @@
+#include "delaunay_mesh.h"
+
+#include "predicates.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace Breakwater
+{
+  namespace
+  {
+    /// Corners of a simplex around nodes with coordinates up to `largest` in size. Its size is a power of two,
+    /// so that it seldom changes, and in no symmetry with the nodes, so that no spheres are tied.
+    template <int dim>
+    std::array<Vec<dim>, dim + 1> far_nodes(const double largest)
+    {
+      const double size = std::exp2(std::ceil(std::log2(15 * std::max(largest, 1e-100))));
+      if constexpr (dim == 2)
+        return {{{{-1.73 * size, -1.03 * size}}, {{1.71 * size, -0.97 * size}}, {{0.013 * size, 2.01 * size}}}};
+      else
+        return {{{{1.01 * size, 1.07 * size, 0.93 * size}},
+                 {{1.03 * size, -0.98 * size, -1.05 * size}},
+                 {{-0.97 * size, 1.02 * size, -1.06 * size}},
+                 {{-0.99 * size, -1.04 * size, 0.96 * size}}}};
+    }
+  } // namespace
+
+
+  template <int dim>
+  bool DelaunayMesh<dim>::set_positions(const std::vector<Vec<dim>> &position)
+  {
+    double largest = 0;
+    for (const Vec<dim> &x : position)
+      for (int d = 0; d < dim; ++d)
+        largest = std::max(largest, std::abs(x[d]));
+    const auto far = far_nodes<dim>(largest);
+    const bool is_same_frame =
+      position_.size() == position.size() + far.size() && norm(position_[position.size()] - far[0]) == 0;
+    position_ = position;
+    position_.insert(position_.end(), far.begin(), far.end());
+    n_nodes_ = position.size();
+    return is_same_frame;
+  }
+
+
+  template <int dim>
+  void DelaunayMesh<dim>::rebuild(const std::vector<Vec<dim>> &position)
+  {
+    set_positions(position);
+    cells_ = delaunay(position_);
+    state_.assign(cells_.size(), State::positive);
+    unused_.clear();
+    std::vector<char> is_used(position_.size(), 0);
+    for (const Cell &cell : cells_)
+      for (const unsigned int i : cell.node)
+        is_used[i] = 1;
+    n_hidden_nodes_ = std::count(is_used.begin(), is_used.end(), 0);
+    report_         = {};
+  }
+
+
+  template <int dim>
+  typename DelaunayMesh<dim>::Report DelaunayMesh<dim>::update(const std::vector<Vec<dim>> &position)
+  {
+    // A node at the place of another has no cells to be repaired.
+    if (!set_positions(position) || n_hidden_nodes_ > 0)
+      {
+        rebuild(position);
+        return report_;
+      }
+    report_         = {};
+    report_.is_full = false;
+    find_bad_facets();
+    flip_all();
+    while (!stuck_.empty())
+      {
+        const std::vector<Facet> seeds = stuck_;
+        stuck_.clear();
+        for (const Facet &facet : seeds)
+          if (needs_flip(facet) && !rebuild_around(facet.cell))
+            {
+              rebuild(position);
+              return report_;
+            }
+        flip_all();
+      }
+    return report_;
+  }
+
+
+  template <int dim>
+  void DelaunayMesh<dim>::find_bad_facets()
+  {
+    to_check_.clear();
+    stuck_.clear();
+    for (unsigned int c = 0; c < cells_.size(); ++c)
+      {
+        if (is_unused(c))
+          continue;
+        const Cell             &cell = cells_[c];
+        const Circumsphere<dim> sphere(corners_of(cell.node));
+        const bool              is_positive = sphere.orientation() > 0;
+        state_[c]                           = is_positive ? State::positive : State::inverted;
+        for (unsigned int a = 0; a <= dim; ++a)
+          {
+            const unsigned int neighbor = cell.neighbor[a];
+            if (neighbor == no_cell)
+              continue;
+            // Between positive cells, one side's sphere tells.
+            if (!is_positive || (neighbor > c && !sphere.is_surely_outside(
+                                                   position_[cells_[neighbor].node[corner_towards(neighbor, c)]])))
+              to_check_.push_back({c, a});
+          }
+      }
+  }
+
+
+  template <int dim>
+  Simplex<dim> DelaunayMesh<dim>::corners_of(const std::array<unsigned int, dim + 1> &node) const
+  {
+    // An even permutation with a near node first: differences to a far one would lose the others' places.
+    unsigned int first = 0;
+    while (first < dim && node[first] >= n_nodes_)
+      ++first;
+    Simplex<dim> x;
+    for (int a = 0; a <= dim; ++a)
+      x[a] = position_[node[a]];
+    if (first != 0)
+      {
+        std::swap(x[0], x[first]);
+        if constexpr (dim == 2)
+          std::swap(x[1], x[2]);
+        else
+          std::swap(x[first == 1 ? 2 : 1], x[first == 3 ? 2 : 3]);
+      }
+    return x;
+  }
+
+
+  template <int dim>
+  unsigned int DelaunayMesh<dim>::new_cell()
+  {
+    if (unused_.empty())
+      {
+        cells_.emplace_back();
+        state_.push_back(State::positive);
+        return cells_.size() - 1;
+      }
+    const unsigned int cell = unused_.back();
+    unused_.pop_back();
+    state_[cell] = State::positive;
+    return cell;
+  }
+
+
+  template <int dim>
+  void DelaunayMesh<dim>::delete_cell(const unsigned int cell)
+  {
+    state_[cell] = State::unused;
+    cells_[cell].node.fill(n_nodes_);
+    cells_[cell].neighbor.fill(no_cell);
+    unused_.push_back(cell);
+  }
+
+
+  template <int dim>
+  unsigned int DelaunayMesh<dim>::corner_towards(const unsigned int cell, const unsigned int neighbor) const
+  {
+    unsigned int a = 0;
+    while (a < dim && cells_[cell].neighbor[a] != neighbor)
+      ++a;
+    return a;
+  }
+
+
+  template <int dim>
+  unsigned int DelaunayMesh<dim>::corner_at(const unsigned int cell, const unsigned int node) const
+  {
+    unsigned int a = 0;
+    while (a < dim && cells_[cell].node[a] != node)
+      ++a;
+    return a;
+  }
+
+
+  template <int dim>
+  void DelaunayMesh<dim>::renumber(const std::vector<unsigned int> &order)
+  {
+    std::vector<unsigned int> new_number(position_.size());
+    std::iota(new_number.begin(), new_number.end(), 0u);
+    const std::vector<Vec<dim>> old_position = position_;
+    for (unsigned int k = 0; k < order.size(); ++k)
+      {
+        new_number[order[k]] = k;
+        position_[k]         = old_position[order[k]];
+      }
+
+    // Counting sort of the used cells by their highest node.
+    std::vector<unsigned int> start(position_.size() + 1, 0), place(cells_.size(), no_cell);
+    const auto                highest = [&](const Cell &cell) {
+      unsigned int result = 0;
+      for (const unsigned int i : cell.node)
+        result = std::max(result, new_number[i]);
+      return result;
+    };
+    for (unsigned int c = 0; c < cells_.size(); ++c)
+      if (!is_unused(c))
+        ++start[highest(cells_[c]) + 1];
+    std::partial_sum(start.begin(), start.end(), start.begin());
+    for (unsigned int c = 0; c < cells_.size(); ++c)
+      if (!is_unused(c))
+        place[c] = start[highest(cells_[c])]++;
+
+    std::vector<Cell> sorted(cells_.size() - unused_.size());
+    for (unsigned int c = 0; c < cells_.size(); ++c)
+      if (!is_unused(c))
+        for (int a = 0; a <= dim; ++a)
+          {
+            const unsigned int neighbor  = cells_[c].neighbor[a];
+            sorted[place[c]].node[a]     = new_number[cells_[c].node[a]];
+            sorted[place[c]].neighbor[a] = neighbor == no_cell ? no_cell : place[neighbor];
+          }
+    cells_.swap(sorted);
+    state_.assign(cells_.size(), State::positive);
+    unused_.clear();
+  }
+
+  template class DelaunayMesh<2>;
+  template class DelaunayMesh<3>;
+} // namespace Breakwater
