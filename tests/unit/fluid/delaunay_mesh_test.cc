@@ -62,6 +62,20 @@ namespace
     EXPECT_FALSE(expect_exact_update(triangulation, position).is_full);
   }
 
+  /// The same motion of a jittered box a number of times.
+  template <int dim, class Motion>
+  void expect_exact_repairs(const unsigned int n_times, const Motion &motion)
+  {
+    auto              position      = jittered_box<dim>(0.2, 1);
+    DelaunayMesh<dim> triangulation = triangulation_of<dim>(position);
+    for (unsigned int n = 0; n < n_times; ++n)
+      {
+        for (auto &x : position)
+          motion(x);
+        expect_exact_repair(triangulation, position);
+      }
+  }
+
   template <int dim>
   void expect_new_triangulation(DelaunayMesh<dim> &triangulation, const std::vector<Vec<dim>> &position)
   {
@@ -119,15 +133,9 @@ TYPED_TEST(DelaunayMeshTest, RepairsCloudsOfAnyDensity)
 
 TYPED_TEST(DelaunayMeshTest, RepairsAfterShear)
 {
-  constexpr int     dim           = TypeParam::value;
-  auto              position      = jittered_box<dim>(0.2, 1);
-  DelaunayMesh<dim> triangulation = triangulation_of<dim>(position);
-  for (int n = 0; n < 10; ++n)
-    {
-      for (auto &x : position)
-        x[0] += 0.05 * x[1];
-      expect_exact_repair(triangulation, position);
-    }
+  expect_exact_repairs<TypeParam::value>(10, [](auto &x) {
+    x[0] += 0.05 * x[1];
+  });
 }
 
 
@@ -168,15 +176,9 @@ TYPED_TEST(DelaunayMeshTest, RepairsWhenNodesLandOnAPlaneAndLeaveIt)
 
 TYPED_TEST(DelaunayMeshTest, RepairsWhenABodyOfNodesSplits)
 {
-  constexpr int     dim           = TypeParam::value;
-  auto              position      = jittered_box<dim>(0.2, 1);
-  DelaunayMesh<dim> triangulation = triangulation_of<dim>(position);
-  for (int n = 0; n < 10; ++n)
-    {
-      for (auto &x : position)
-        x[1] += x[1] > 0.4 ? 0.1 * spacing : 0.;
-      expect_exact_repair(triangulation, position);
-    }
+  expect_exact_repairs<TypeParam::value>(10, [](auto &x) {
+    x[1] += x[1] > 0.4 ? 0.1 * spacing : 0.;
+  });
 }
 
 
