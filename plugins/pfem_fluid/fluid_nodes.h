@@ -38,6 +38,7 @@ namespace Breakwater
     std::vector<double>   slip_conductance; ///< area over slip length of the walls around, if any slips [m^(dim - 2)]
     std::vector<char>     is_surface;       ///< on a facet that neither wall nor interface closes
     std::vector<char>     has_cells;        ///< false: isolated, flies ballistically
+    std::vector<std::uint8_t> inflow;       ///< the inflow that drives the node, counted from 1; 0: none
 
     void resize(const std::size_t size)
     {
@@ -51,7 +52,40 @@ namespace Breakwater
       walls.resize(size);
       is_surface.resize(size, 0);
       has_cells.resize(size, 0);
+      inflow.resize(size, 0);
     }
+
+    /// Calls visit() with each array that a node takes along through a remesh; the others are made anew.
+    template <class Visitor>
+    void visit_carried(const Visitor &visit)
+    {
+      visit(xp);
+      visit(v);
+      visit(a);
+      visit(mass);
+      visit(base_density);
+      visit(density);
+      visit(contacts);
+      visit(inflow);
+    }
+
+    /// Takes nodes away; the others keep their order. What is not carried through a remesh is void then.
+    /// @pre no interface node leaves
+    void remove(const std::vector<char> &leaves)
+    {
+      std::size_t n_left = 0;
+      visit_carried([&](auto &values) {
+        n_left = 0;
+        for (std::size_t i = 0; i < n; ++i)
+          if (!leaves[i])
+            values[n_left++] = values[i];
+      });
+      resize(n_left);
+    }
+
+    /// True if the node's motion is given by another body or an inflow: only forces that tell of the fluid's stress
+    /// act on it, nothing else moves it or changes its mass.
+    bool is_driven(const std::size_t i) const { return i < n_interface || inflow[i] != 0; }
 
     Vec<dim> position(const std::size_t i) const { return vec(xp[i]); }
     Vec<dim> velocity(const std::size_t i) const { return vec(v[i]); }

@@ -31,29 +31,39 @@ namespace Breakwater
 
 
   template <int dim>
-  DomainBalance<dim> PfemFluid<dim>::balance() const
+  DomainBalance<dim> PfemFluid<dim>::node_balance(const std::size_t i) const
   {
     const EquationOfState &state = parameters_.equation_of_state.front();
+    const Vec<dim>         x     = nodes_.position(i);
     DomainBalance<dim>     result;
+    result.mass           = nodes_.mass[i];
+    result.momentum       = nodes_.velocity(i) * nodes_.mass[i];
+    result.kinetic_energy = 0.5 * nodes_.mass[i] * dot(nodes_.velocity(i), nodes_.velocity(i));
+    for (const auto &force : *body_forces_)
+      result.potential_energy += nodes_.mass[i] * force->potential(x);
+    // The pressure is minus the derivative of this by the volume.
+    if (nodes_.has_cells[i] && (nodes_.density[i] > state.reference_density() || parameters_.tension == "allowed"))
+      result.internal_energy =
+        nodes_.stiffness_volume[i] * nodes_.base_density[i] * state.specific_energy(nodes_.density[i]);
+    return result;
+  }
+
+
+  template <int dim>
+  DomainBalance<dim> PfemFluid<dim>::balance() const
+  {
+    DomainBalance<dim> result;
     for (std::size_t i = 0; i < nodes_.n; ++i)
-      {
-        const Vec<dim> x = nodes_.position(i);
-        result.mass += nodes_.mass[i];
-        result.momentum += nodes_.velocity(i) * nodes_.mass[i];
-        result.kinetic_energy += 0.5 * nodes_.mass[i] * dot(nodes_.velocity(i), nodes_.velocity(i));
-        for (const auto &force : *body_forces_)
-          result.potential_energy += nodes_.mass[i] * force->potential(x);
-        // The pressure is minus the derivative of this by the volume.
-        if (nodes_.has_cells[i] && (nodes_.density[i] > state.reference_density() || parameters_.tension == "allowed"))
-          result.internal_energy +=
-            nodes_.stiffness_volume[i] * nodes_.base_density[i] * state.specific_energy(nodes_.density[i]);
-      }
+      result += node_balance(i);
     for (std::size_t c = 0; c < cell_volume_at_rest_.size(); ++c)
       {
         const double change = signed_volume(nodes_.corners(mesh_.cells[c])) - cell_volume_at_rest_[c];
         result.internal_energy += 0.5 * effects_.cell_stiffness * change * change /
                                   std::max(cell_volume_at_rest_[c], effects_.least_cell_volume);
       }
+    result.received_mass     = received_.mass;
+    result.received_momentum = received_.momentum + parameters_.openings.driving_impulse();
+    result.received_energy   = received_.energy() + parameters_.openings.driving_work();
     return result;
   }
 
@@ -61,8 +71,7 @@ namespace Breakwater
   template <int dim>
   double PfemFluid<dim>::own_energy(const DomainBalance<dim> &balance) const
   {
-    return balance.kinetic_energy + balance.potential_energy + balance.internal_energy - interface_work_ -
-           parameters_.walls.work();
+    return balance.energy() - balance.received_energy - interface_work_ - parameters_.walls.work();
   }
 
 
@@ -94,6 +103,14 @@ namespace Breakwater
     parameters_.walls.add_history(time_, row);
     row.emplace_back("largest pressure [Pa]", largest_pressure);
     row.emplace_back("largest fluid speed [m/s]", largest_speed);
+    if (!parameters_.openings.empty())
+      {
+        parameters_.openings.add_history(row);
+        for (int d = 0; d < dim; ++d)
+          row.emplace_back(std::string("momentum received through openings ") + "xyz"[d] + " [kg m/s]",
+                           now.received_momentum[d]);
+        row.emplace_back("energy received through openings [J]", now.received_energy);
+      }
     context_->set_summary_max("largest_interior_volume_deficit", std::abs(deficit));
     const EquationOfState &state = parameters_.equation_of_state.front();
     context_->set_summary_max("largest_mach_number", largest_speed / state.sound_speed(state.reference_density()));
@@ -154,6 +171,7 @@ namespace Breakwater
       visit(nodes.slip_conductance);
       visit(nodes.is_surface);
       visit(nodes.has_cells);
+      visit(nodes.inflow);
       visit(mesh.cells);
       visit(mesh.boundary);
     }
@@ -167,6 +185,8 @@ namespace Breakwater
       write_binary(stream, value);
     };
     visit_nodes(nodes_, mesh_, visit);
+    Openings<dim>::visit_state(parameters_.openings, visit);
+    visit(received_);
     visit(contact_impulse_);
     visit(cell_volume_at_rest_);
     visit(effects_.cell_stiffness);
@@ -189,6 +209,9 @@ namespace Breakwater
       read_binary(stream, value);
     };
     visit_nodes(nodes_, mesh_, visit);
+    Openings<dim>::visit_state(parameters_.openings, visit);
+    parameters_.openings.find_driven(nodes_);
+    visit(received_);
     visit(contact_impulse_);
     visit(cell_volume_at_rest_);
     visit(effects_.cell_stiffness);

@@ -1,9 +1,9 @@
 #include "fluid_shape.h"
 
 #include "given_nodes.h"
+#include "shape_text.h"
 
 #include <breakwater/base/exceptions.h>
-#include <breakwater/base/nearest_name.h>
 
 #include <algorithm>
 #include <cmath>
@@ -14,55 +14,16 @@ namespace Breakwater
 {
   namespace
   {
-    /// One region as text, `word(inside)`.
-    struct RegionText
+    /// What a region may depend on besides its own text.
+    template <int dim>
+    struct Scene
     {
-      std::string            word, inside;
+      const BoxShape<dim>   &walls;
       const ParameterReader &reader;
-
-      [[noreturn]] void fail(const std::string &message) const
-      {
-        throw InputError("in " + word + "(" + inside + "): " + message);
-      }
     };
 
-    /// What stands between the brackets: numbers, separated by commas or semicolons.
-    std::vector<double> numbers(const RegionText &text)
-    {
-      std::vector<double> result;
-      const char         *cursor = text.inside.c_str();
-      while (*cursor != '\0')
-        {
-          char *end = nullptr;
-          result.push_back(std::strtod(cursor, &end));
-          if (end == cursor || !std::isfinite(result.back()))
-            text.fail("\"" + std::string(cursor) + "\" is no number");
-          cursor = end;
-          while (*cursor == ' ' || *cursor == ',' || *cursor == ';')
-            ++cursor;
-        }
-      return result;
-    }
-
-    /// A fixed number of them. @param form what is expected, for the message
-    std::vector<double> numbers(const RegionText &text, const std::size_t n, const std::string &form)
-    {
-      const std::vector<double> result = numbers(text);
-      if (result.size() != n)
-        text.fail(std::to_string(result.size()) + " numbers are given; expected " + text.word + form);
-      return result;
-    }
-
     template <int dim>
-    Vec<dim> vec(const std::vector<double> &numbers, const std::size_t first)
-    {
-      Vec<dim> result;
-      std::copy_n(numbers.begin() + first, dim, result.c);
-      return result;
-    }
-
-    template <int dim>
-    BoxShape<dim> read_box(const RegionText &text, const std::vector<double> &numbers)
+    BoxShape<dim> read_box(const ShapeText &text, const std::vector<double> &numbers)
     {
       const BoxShape<dim> box = {"box", vec<dim>(numbers, 0), vec<dim>(numbers, dim)};
       for (int d = 0; d < dim; ++d)
@@ -71,14 +32,14 @@ namespace Breakwater
       return box;
     }
 
-    void require_positive(const RegionText &text, const std::vector<double> &numbers, const std::size_t first)
+    void require_positive(const ShapeText &text, const std::vector<double> &numbers, const std::size_t first)
     {
       for (std::size_t i = first; i < numbers.size(); ++i)
         if (!(numbers[i] > 0))
           text.fail("radii must be positive");
     }
 
-    Polygon read_polygon(const RegionText &text, const std::vector<double> &numbers, const std::size_t first)
+    Polygon read_polygon(const ShapeText &text, const std::vector<double> &numbers, const std::size_t first)
     {
       const std::size_t n = numbers.size() - std::min(first, numbers.size());
       if (n < 6 || n % 2 != 0)
@@ -93,12 +54,13 @@ namespace Breakwater
 
     /// What a half space cuts out of the box around all walls.
     template <int dim>
-    std::unique_ptr<Region<dim>> make_half_space(const RegionText &text, const BoxShape<dim> &walls)
+    std::unique_ptr<Region<dim>> make_half_space(const ShapeText &text, const Scene<dim> &scene)
     {
-      const auto values = numbers(text, 2 * dim, dim == 2 ? "(x, y; nx, ny)" : "(x, y, z; nx, ny, nz)");
+      const auto values = text.numbers(2 * dim, dim == 2 ? "(x, y; nx, ny)" : "(x, y, z; nx, ny, nz)");
       const auto point = vec<dim>(values, 0), normal = vec<dim>(values, dim);
       if (!(norm(normal) > 0))
         text.fail("the normal is zero");
+      const BoxShape<dim> &walls = scene.walls;
       if (walls.kind.empty())
         text.fail("a half space fills the box around all walls, and there are no walls");
       int along = -1, n_along = 0;
@@ -139,7 +101,7 @@ namespace Breakwater
     }
 
     template <int dim>
-    using Maker = std::function<std::unique_ptr<Region<dim>>(const RegionText &, const BoxShape<dim> &)>;
+    using Maker = std::function<std::unique_ptr<Region<dim>>(const ShapeText &, const Scene<dim> &)>;
 
     template <int dim>
     struct Kind
@@ -156,50 +118,50 @@ namespace Breakwater
     {
       std::vector<Kind<dim>> result = {
         {"box",
-         [](const RegionText &text, const BoxShape<dim> &) {
-           const auto values = numbers(text, 2 * dim, "(" + place[dim] + "; " + corner[dim] + ")");
+         [](const ShapeText &text, const Scene<dim> &) {
+           const auto values = text.numbers(2 * dim, "(" + place[dim] + "; " + corner[dim] + ")");
            return std::make_unique<BoxRegion<dim>>(read_box<dim>(text, values));
          }},
         {"sphere",
-         [](const RegionText &text, const BoxShape<dim> &) {
-           const auto values = numbers(text, dim + 1, "(" + place[dim] + "; r)");
+         [](const ShapeText &text, const Scene<dim> &) {
+           const auto values = text.numbers(dim + 1, "(" + place[dim] + "; r)");
            require_positive(text, values, dim);
            Vec<dim> radii;
            std::fill_n(radii.c, dim, values[dim]);
            return std::make_unique<Ellipsoid<dim>>(vec<dim>(values, 0), radii);
          }},
         {dim == 2 ? "ellipse" : "ellipsoid",
-         [](const RegionText &text, const BoxShape<dim> &) {
-           const auto values = numbers(text, 2 * dim, "(" + place[dim] + "; " + half_axes[dim] + ")");
+         [](const ShapeText &text, const Scene<dim> &) {
+           const auto values = text.numbers(2 * dim, "(" + place[dim] + "; " + half_axes[dim] + ")");
            require_positive(text, values, dim);
            return std::make_unique<Ellipsoid<dim>>(vec<dim>(values, 0), vec<dim>(values, dim));
          }},
         {"half space", make_half_space<dim>},
         {"mesh",
-         [](const RegionText &text, const BoxShape<dim> &) {
-           return std::make_unique<MeshRegion<dim>>(text.reader.file_path(text.inside).string());
+         [](const ShapeText &text, const Scene<dim> &scene) {
+           return std::make_unique<MeshRegion<dim>>(scene.reader.file_path(text.inside).string());
          }},
-        {"spray", [](const RegionText &text, const BoxShape<dim> &) {
-           const auto values = numbers(text, 2 * dim + 1, "(" + place[dim] + "; " + corner[dim] + "; n)");
+        {"spray", [](const ShapeText &text, const Scene<dim> &) {
+           const auto values = text.numbers(2 * dim + 1, "(" + place[dim] + "; " + corner[dim] + "; n)");
            if (!(values.back() >= 1 && values.back() <= 1e7) || std::floor(values.back()) != values.back())
              text.fail("the number of nodes must be a whole number, at least 1");
            return std::make_unique<Spray<dim>>(read_box<dim>(text, values), static_cast<unsigned int>(values.back()));
          }}};
       if constexpr (dim == 2)
-        result.push_back({"polygon", [](const RegionText &text, const BoxShape<2> &) {
-                            return std::make_unique<Prism<2>>(read_polygon(text, numbers(text), 0), 0., 0.);
+        result.push_back({"polygon", [](const ShapeText &text, const Scene<2> &) {
+                            return std::make_unique<Prism<2>>(read_polygon(text, text.numbers(), 0), 0., 0.);
                           }});
       else
         {
-          result.push_back({"prism", [](const RegionText &text, const BoxShape<3> &) {
-                              const auto values  = numbers(text);
+          result.push_back({"prism", [](const ShapeText &text, const Scene<3> &) {
+                              const auto values  = text.numbers();
                               const auto polygon = read_polygon(text, values, 2);
                               if (!(values[0] < values[1]))
                                 text.fail("the first number, the lowest z, must be less than the second, the highest");
                               return std::make_unique<Prism<3>>(polygon, values[0], values[1]);
                             }});
-          result.push_back({"cylinder", [](const RegionText &text, const BoxShape<3> &) {
-                              const auto values = numbers(text, 7, "(x, y, z; X, Y, Z; r)");
+          result.push_back({"cylinder", [](const ShapeText &text, const Scene<3> &) {
+                              const auto values = text.numbers(7, "(x, y, z; X, Y, Z; r)");
                               require_positive(text, values, 6);
                               const Vec<3> start = vec<3>(values, 0), end = vec<3>(values, 3);
                               if (!(norm(end - start) > 0))
@@ -211,21 +173,16 @@ namespace Breakwater
     }
 
     template <int dim>
-    std::unique_ptr<Region<dim>> make_region(const RegionText &text, const BoxShape<dim> &walls)
+    std::unique_ptr<Region<dim>> make_region(const ShapeText &text, const Scene<dim> &scene)
     {
       std::vector<std::string> words;
-      std::string              possible;
       for (const auto &kind : kinds<dim>())
         {
           if (kind.word == text.word)
-            return kind.make(text, walls);
+            return kind.make(text, scene);
           words.push_back(kind.word);
-          possible += (possible.empty() ? "" : ", ") + kind.word;
         }
-      std::string message = "there is no shape \"" + text.word + "\" in " + std::to_string(dim) + "D";
-      if (const std::string nearest = nearest_name(text.word, words); !nearest.empty())
-        message += "; did you mean \"" + nearest + "\"?";
-      throw InputError(message + "; possible are " + possible);
+      fail_unknown_word(text.word, words, dim);
     }
   } // namespace
 
@@ -252,15 +209,7 @@ namespace Breakwater
     std::size_t cursor        = 0;
     while (cursor != std::string::npos)
       {
-        const std::size_t open = text.find('(', cursor), close = text.find(')', cursor);
-        if (open == std::string::npos || close == std::string::npos || close < open)
-          throw InputError(std::string("a shape is missing") +
-                           (cursor == 0 ? "" : " behind \"" + trim(text.substr(0, cursor)) + "\"") +
-                           "; allowed: " + documentation());
-        const RegionText region = {trim(text.substr(cursor, open - cursor)),
-                                   trim(text.substr(open + 1, close - open - 1)), reader};
-        parts_.push_back({make_region<dim>(region, walls), is_taken_away});
-        cursor = text.find_first_not_of(' ', close + 1);
+        parts_.push_back({make_region<dim>(ShapeText::next(text, cursor), {walls, reader}), is_taken_away});
         if (cursor != std::string::npos)
           {
             is_taken_away = text[cursor] == '-';

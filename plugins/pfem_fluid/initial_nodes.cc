@@ -60,12 +60,11 @@ namespace Breakwater
   {
     place_initial_nodes();
     update_body_acceleration();
-    const FluidShape<dim> &shape = *parameters_.initial_state.shape;
     triangulate([&](const auto &cell) {
       Vec<dim> center;
       for (const unsigned int i : cell)
         center += nodes_.position(i) * (1. / (dim + 1));
-      return shape.distance(center) <= 0.1 * parameters_.size(center);
+      return parameters_.initial_state.shape->distance(center) <= 0.1 * parameters_.size(center);
     });
     set_initial_pressure();
     RemeshRecord record;
@@ -89,7 +88,9 @@ namespace Breakwater
   void PfemFluid<dim>::place_initial_nodes()
   {
     const InitialState<dim> &initial = parameters_.initial_state;
-    std::vector<Vec<dim>>    place   = initial.shape->place_nodes(parameters_.size, initial.lattice);
+    std::vector<Vec<dim>>    place;
+    if (initial.shape)
+      place = initial.shape->place_nodes(parameters_.size, initial.lattice);
     place.erase(std::remove_if(place.begin(), place.end(),
                                [&](Vec<dim> &x) {
                                  const double h = parameters_.size(x);
@@ -97,7 +98,7 @@ namespace Breakwater
                                         !parameters_.walls.admit(x, 0.36 * h);
                                }),
                 place.end());
-    if (place.empty())
+    if (place.empty() && initial.shape)
       throw InputError("The initial state of the fluid has no nodes: its spacing of " +
                        std::to_string(parameters_.spacing) + " m is too large for its shape.");
     const std::vector<unsigned int> order = hilbert_order(place);

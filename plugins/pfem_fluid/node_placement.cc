@@ -108,7 +108,8 @@ namespace Breakwater
         const double radius  = norm(cell.half);
         if (distance(cell.center) > radius)
           continue;
-        if (2 * cell.half[longest] > cell_of_trials<dim> * (size(cell.center) - SizeField<dim>::largest_gradient * radius) &&
+        if (2 * cell.half[longest] >
+              cell_of_trials<dim> * (size(cell.center) - SizeField<dim>::largest_gradient * radius) &&
             2 * cell.half[longest] > cell_of_trials<dim> * size.smallest())
           {
             cell.half[longest] *= 0.5;

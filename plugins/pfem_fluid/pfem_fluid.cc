@@ -66,6 +66,7 @@ namespace Breakwater
     for (const auto &force : body_forces)
       body_force_is_uniform_ = body_force_is_uniform_ && force->is_uniform();
 
+    parameters_.openings.set_up(parameters_.size, parameters_.equation_of_state.front().reference_density());
     make_initial_state();
     energy_after_remesh_ = own_energy(balance());
   }
@@ -88,6 +89,7 @@ namespace Breakwater
     auto &walls = parameters_.walls;
     walls.act(0.5 * time_step);
     walls.move(time_ + time_step, time_step);
+    parameters_.openings.start_step(nodes_, time_, time_step);
     for (std::size_t i = 0; i < nodes_.n; ++i)
       {
         Quad          &x = nodes_.xp[i], &v = nodes_.v[i];
@@ -114,6 +116,7 @@ namespace Breakwater
         nodes_.v[i][d] += 0.5 * time_step * nodes_.a[i][d];
     walls.act(0.5 * time_step);
     walls.finish_step();
+    parameters_.openings.finish_step(nodes_, time_);
 
     context_->cell_steps += mesh_.cells.size();
     refresh_surface();
@@ -301,6 +304,8 @@ namespace Breakwater
   template <int dim>
   bool PfemFluid<dim>::needs_remeshing() const
   {
+    if (parameters_.openings.needs_remeshing())
+      return true;
     const double allowed = parameters_.largest_strain * parameters_.spacing;
     if (largest_relative_displacement<dim>(mesh_.cells, nodes_.xp, nodes_.position_at_remesh) > allowed)
       return true;
@@ -363,11 +368,13 @@ namespace Breakwater
   template <int dim>
   void PfemFluid<dim>::filter_velocity()
   {
-    // Interface nodes and their cells take no part: their density is left at zero.
+    // Driven nodes and their cells take no part: their density is left at zero.
     const double        least_volume = 0.1 * regular_volume<dim>(parameters_.spacing);
     std::vector<double> node_density(nodes_.n, 0.), inverse_mass(nodes_.n, 0.);
     for (std::size_t i = nodes_.n_interface; i < nodes_.n; ++i)
       {
+        if (nodes_.is_driven(i))
+          continue;
         node_density[i] = nodes_.mass[i] / std::max(nodes_.volume[i], least_volume);
         inverse_mass[i] = 1. / nodes_.mass[i];
       }
@@ -375,7 +382,7 @@ namespace Breakwater
     filter_impulses<dim>(mesh_.cells, {parameters_.filter_weight, parameters_.divergence_filter_weight}, nodes_.xp,
                          nodes_.v, nodes_.volume, least_volume, node_density, inverse_mass, impulse);
     for (std::size_t i = nodes_.n_interface; i < nodes_.n; ++i)
-      if (nodes_.has_cells[i])
+      if (nodes_.has_cells[i] && !nodes_.is_driven(i))
         {
           if (!nodes_.contacts[i].empty())
             parameters_.walls.mask_impulse(nodes_.xp[i].c, impulse[i].c, nodes_.contacts[i]);

@@ -69,7 +69,9 @@ namespace Breakwater
     void set_initial_pressure();
 
     // remeshing.cc
-    void                               remesh();
+    void        remesh();
+    std::size_t let_in();                            ///< new nodes at inflows; how many there are
+    bool        let_out(DomainBalance<dim> &before); ///< takes nodes in outflows away, from the balance too
     typename DelaunayMesh<dim>::Report triangulate(
       const std::function<bool(const typename SimplexMesh<dim>::Cell &)> &is_inside = {});
     void smooth_mesh(RemeshRecord &record);
@@ -83,6 +85,8 @@ namespace Breakwater
                                 const std::vector<double> &row_sums);
     void add_remeshing_row(const RemeshRecord &record, const DomainBalance<dim> &before,
                            const DomainBalance<dim> &after);
+
+    DomainBalance<dim> node_balance(std::size_t node) const;
 
     /// Energy of the fluid less what the interface's link forces and moving walls gave it [J].
     double own_energy(const DomainBalance<dim> &balance) const;
@@ -105,6 +109,8 @@ namespace Breakwater
     std::vector<double>   cell_volume_at_rest_; ///< at the last remesh [m^dim]
     std::vector<double>   cell_viscosity_;      ///< of a fluid that is not Newtonian [Pa s]
     std::vector<Vec<dim>> contact_impulse_;     ///< of leaked nodes, to be given to the interface nodes [kg m/s]
+
+    DomainBalance<dim> received_; ///< of all nodes that have come in, less those that have gone
 
     double        time_                 = 0; ///< [s]
     double        bound_                = 0; ///< of the rule in use at the last remesh [s]

@@ -44,13 +44,15 @@ namespace Breakwater
 
 
   template <int dim>
-  void InitialState<dim>::check(ParameterReader &reader, const BoxShape<dim> &walls)
+  void InitialState<dim>::check(ParameterReader &reader, const BoxShape<dim> &walls, const bool may_be_empty)
   {
     SectionScope scope(reader, "Initial state");
     lattice.body_centred = lattice_text == "body centred";
-    read_entry(reader, "Shape", [&]() {
-      shape = std::make_unique<FluidShape<dim>>(shape_text, walls, reader);
-    });
+    shape.reset();
+    if (!shape_text.empty() || !may_be_empty)
+      read_entry(reader, "Shape", [&]() {
+        shape = std::make_unique<FluidShape<dim>>(shape_text, walls, reader);
+      });
     const auto place = Expression<dim>::Variables::place;
     read_entry(reader, "Velocity", [&]() {
       velocity_at = std::make_unique<Expression<dim>>(velocity, dim, place);
@@ -92,6 +94,7 @@ namespace Breakwater
                {"none", "allowed"});
     initial_state.declare(reader);
     walls.declare_parameters(reader);
+    openings.declare_parameters(reader);
     {
       SectionScope scope(reader, "Remeshing");
       reader.add("Alpha", alpha, "Cells with a circumradius up to alpha times the spacing are fluid [-].", {1., 2.});
@@ -154,7 +157,8 @@ namespace Breakwater
     time_step_bound.check_parameters(reader);
     mesh_smoothers.check_parameters(reader);
     walls.check_parameters(reader);
-    initial_state.check(reader, walls.extent());
+    openings.check_parameters(reader, walls.extent());
+    initial_state.check(reader, walls.extent(), openings.has_inflows());
     check_spacing(reader);
     walls.set_spacing(spacing);
     if (walls.any_has_navier_slip() && !(rheology.front().is_viscous() && rheology.front().is_newtonian()))
@@ -165,7 +169,10 @@ namespace Breakwater
   template <int dim>
   void PfemParameters<dim>::check_spacing(ParameterReader &reader)
   {
-    BoxShape<dim> fluid = initial_state.shape->extent(), scene = fluid;
+    const BoxShape<dim> fluid = initial_state.shape ? initial_state.shape->extent() : walls.extent();
+    if (fluid.kind.empty())
+      reader.fail("Initial state", "a scene without fluid at time 0 needs walls");
+    BoxShape<dim> scene = fluid;
     if (!walls.extent().kind.empty())
       for (int d = 0; d < dim; ++d)
         {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "fluid_shape.h"
+#include "openings.h"
 #include "shapes.h"
 #include "size_field.h"
 #include "walls.h"
@@ -27,13 +28,14 @@ namespace Breakwater
     std::string velocity     = dim == 2 ? "0, 0" : "0, 0, 0";
     Lattice     lattice;
 
-    std::unique_ptr<FluidShape<dim>> shape;
+    std::unique_ptr<FluidShape<dim>> shape;       ///< none: no fluid yet
     std::unique_ptr<Expression<dim>> pressure_at; ///< [Pa]; none: hydrostatic or zero
     std::unique_ptr<Expression<dim>> velocity_at; ///< [m/s]
 
     void declare(ParameterReader &reader);
     /// @param walls a box around all walls
-    void check(ParameterReader &reader, const BoxShape<dim> &walls);
+    /// @param may_be_empty fluid comes in later: an empty shape is no mistake
+    void check(ParameterReader &reader, const BoxShape<dim> &walls, bool may_be_empty);
   };
 
   /// What a parameter file says about the fluid: section "Fluid/Pfem".
@@ -51,6 +53,7 @@ namespace Breakwater
     std::string                    tension           = "none";
     InitialState<dim>              initial_state;
     Walls<dim>                     walls;
+    Openings<dim>                  openings;
 
     double       alpha                    = 1.4;
     double       largest_strain           = 0.2;

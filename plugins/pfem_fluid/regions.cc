@@ -255,11 +255,7 @@ namespace Breakwater
     , length_(norm(end - start))
     , radius_(radius)
   {
-    Vec<3> other;
-    other[std::abs(axis_[2]) < 0.9 ? 2 : 0] = 1;
-    e1_                                     = cross(other, axis_);
-    e1_ *= 1 / norm(e1_);
-    e2_ = cross(axis_, e1_);
+    make_frame(axis_, e1_, e2_);
   }
 
 
@@ -287,25 +283,18 @@ namespace Breakwater
 
   void Cylinder::add_surface(const SizeField<3> &size, NodeCandidates<3> &nodes) const
   {
-    const double outer  = radius_ + outset(radius_, size(start_ + axis_ * (0.5 * length_)), 1. / 16);
-    const auto   circle = [&](const double along, const double radius, const std::size_t row) {
-      const Curve<3> curve = [&](const double t) {
-        return start_ + axis_ * along + e1_ * (radius * std::cos(2 * pi * t)) + e2_ * (radius * std::sin(2 * pi * t));
-      };
-      return sample_closed_curve(curve, size, 0.5 * (row % 2));
-    };
+    const double outer = radius_ + outset(radius_, size(start_ + axis_ * (0.5 * length_)), 1. / 16);
     for (const double along : {0., length_})
       {
-        append(nodes.sharp, circle(along, outer, 0));
-        const Vec<3> center = start_ + axis_ * along;
-        const auto   rows   = sample_rows(segment(center + e1_ * outer, center), size, 1);
-        for (std::size_t k = 0; k < rows.size(); ++k)
-          append(nodes.smooth, circle(along, outer * (1 - rows[k]), k + 1));
-        nodes.smooth.push_back(center);
+        std::vector<Vec<3>> on_rim, inside;
+        sample_disc(start_ + axis_ * along, e1_, e2_, outer, size, on_rim, inside);
+        append(nodes.sharp, on_rim);
+        append(nodes.smooth, inside);
       }
     const auto rows = sample_rows(segment(start_, start_ + axis_ * length_), size, 1);
     for (std::size_t k = 0; k < rows.size(); ++k)
-      append(nodes.smooth, circle(length_ * rows[k], outer, k + 1));
+      append(nodes.smooth, sample_closed_curve(circle(start_ + axis_ * (length_ * rows[k]), e1_, e2_, outer), size,
+                                               0.5 * ((k + 1) % 2)));
   }
 
 

@@ -53,10 +53,11 @@ namespace Breakwater
   template <int dim>
   void PfemFluid<dim>::remesh()
   {
-    PhaseTimer               timer(*context_, Phase::remeshing);
-    const double             reference_density = parameters_.equation_of_state.front().reference_density();
-    const DomainBalance<dim> before            = balance();
-    RemeshRecord             record;
+    PhaseTimer         timer(*context_, Phase::remeshing);
+    const double       reference_density = parameters_.equation_of_state.front().reference_density();
+    const std::size_t  n_entered         = let_in();
+    DomainBalance<dim> before            = balance();
+    RemeshRecord       record;
 
     // Volumes and pressures belong to the present positions: advance_free() left them so.
     correct_volumes(own_energy(before), record);
@@ -66,8 +67,12 @@ namespace Breakwater
     record.n_pushed_out = adopted_.push_out(nodes_, 2 * parameters_.spacing, impulse);
     n_pushed_out_ += record.n_pushed_out;
 
-    if (n_remeshes_ % 20 == 19)
+    const bool has_left = let_out(before);
+    if (n_entered > 0 || has_left)
+      triangulation_ = {}; // of other nodes
+    if (n_remeshes_ % 20 == 19 || n_entered > 0 || has_left)
       sort_nodes();
+    parameters_.openings.find_driven(nodes_);
     {
       PhaseTimer triangulation_timer(*context_, Phase::remeshing);
       record.triangulation         = triangulate();
@@ -104,6 +109,32 @@ namespace Breakwater
     energy_after_remesh_    = own_energy(after);
     record.transfer_seconds = transfer_timer.seconds();
     add_remeshing_row(record, before, after);
+  }
+
+
+  template <int dim>
+  std::size_t PfemFluid<dim>::let_in()
+  {
+    const std::size_t n_entered = parameters_.openings.add_layers(nodes_, time_);
+    for (std::size_t i = nodes_.n - n_entered; i < nodes_.n; ++i)
+      received_ += node_balance(i);
+    return n_entered;
+  }
+
+
+  template <int dim>
+  bool PfemFluid<dim>::let_out(DomainBalance<dim> &before)
+  {
+    const std::vector<char> leaves = parameters_.openings.take_leaving(nodes_);
+    for (std::size_t i = 0; i < leaves.size(); ++i)
+      if (leaves[i])
+        {
+          received_ -= node_balance(i);
+          before -= node_balance(i);
+        }
+    if (!leaves.empty())
+      nodes_.remove(leaves);
+    return !leaves.empty();
   }
 
 
@@ -180,7 +211,7 @@ namespace Breakwater
     classify_nodes();
     std::vector<char> is_fixed(nodes_.n);
     for (std::size_t i = 0; i < nodes_.n; ++i)
-      is_fixed[i] = i < nodes_.n_interface || nodes_.is_surface[i] || !nodes_.walls[i].empty() || !nodes_.has_cells[i];
+      is_fixed[i] = nodes_.is_driven(i) || nodes_.is_surface[i] || !nodes_.walls[i].empty() || !nodes_.has_cells[i];
     double sum_of_moves = 0;
     for (std::size_t s = 0; s < parameters_.mesh_smoothers.size(); ++s)
       {
@@ -257,6 +288,8 @@ namespace Breakwater
     const double scale      = cost > 0 ? std::clamp(dissipated / cost, 0., 1.) : 1.;
     for (std::size_t i = nodes_.n_interface; i < nodes_.n; ++i)
       {
+        if (nodes_.is_driven(i))
+          continue;
         const Vec<dim> x = nodes_.position(i);
         for (int d = 0; d < dim; ++d)
           nodes_.xp[i][d] += scale * shift[i][d];
@@ -289,7 +322,8 @@ namespace Breakwater
       }
     const double largest = 0.1 * parameters_.spacing;
     for (std::size_t i = nodes_.n_interface; i < nodes_.n; ++i)
-      if (nodes_.has_cells[i] && !nodes_.is_surface[i] && nodes_.contacts[i].empty() && nodes_.walls[i].empty())
+      if (nodes_.has_cells[i] && !nodes_.is_surface[i] && !nodes_.is_driven(i) && nodes_.contacts[i].empty() &&
+          nodes_.walls[i].empty())
         {
           Vec<dim> shift;
           for (int d = 0; d < dim; ++d)
@@ -324,12 +358,9 @@ namespace Breakwater
       for (std::size_t k = 0; k < order.size(); ++k)
         values[k] = old[order[k]];
     };
-    for (auto *values : {&nodes_.xp, &nodes_.v, &nodes_.a})
-      permute(*values);
-    for (auto *values : {&nodes_.mass, &nodes_.base_density, &nodes_.density})
-      permute(*values);
-    permute(nodes_.contacts);
-    triangulation_.renumber(order);
+    nodes_.visit_carried(permute);
+    if (triangulation_.n_nodes() == nodes_.n)
+      triangulation_.renumber(order);
   }
 
 
@@ -386,7 +417,7 @@ namespace Breakwater
   {
     const EquationOfState &state = parameters_.equation_of_state.front();
     std::vector<double>    stiffness(nodes_.n), sound_speed(nodes_.n);
-    sound_speed_at_bound_ = 0;
+    sound_speed_at_bound_ = nodes_.n == 0 ? state.sound_speed(state.reference_density()) : 0.; // no fluid yet
     for (std::size_t i = 0; i < nodes_.n; ++i)
       {
         sound_speed[i]        = state.sound_speed(nodes_.base_density[i]);

@@ -78,6 +78,40 @@ namespace Breakwater
   }
 
 
+  Curve<3> circle(const Vec<3> &center, const Vec<3> &e1, const Vec<3> &e2, const double radius)
+  {
+    return [=](const double t) {
+      const double angle = 2 * 3.14159265358979323846 * t;
+      return center + e1 * (radius * std::cos(angle)) + e2 * (radius * std::sin(angle));
+    };
+  }
+
+
+  void sample_disc(const Vec<3> &center, const Vec<3> &e1, const Vec<3> &e2, const double radius,
+                   const SizeField<3> &size, std::vector<Vec<3>> &on_rim, std::vector<Vec<3>> &inside)
+  {
+    on_rim          = sample_closed_curve(circle(center, e1, e2, radius), size);
+    const auto rows = sample_rows(segment(center + e1 * radius, center), size, 1);
+    for (std::size_t k = 0; k < rows.size(); ++k)
+      {
+        const auto ring =
+          sample_closed_curve(circle(center, e1, e2, radius * (1 - rows[k])), size, 0.5 * ((k + 1) % 2));
+        inside.insert(inside.end(), ring.begin(), ring.end());
+      }
+    inside.push_back(center);
+  }
+
+
+  void make_frame(const Vec<3> &normal, Vec<3> &e1, Vec<3> &e2)
+  {
+    Vec<3> other;
+    other[std::abs(normal[2]) < 0.9 ? 2 : 0] = 1;
+    e1                                       = cross(other, normal);
+    e1 *= 1 / norm(e1);
+    e2 = cross(normal, e1);
+  }
+
+
   void sample_polygon(const std::vector<Vec<3>> &vertices, const SizeField<3> &size, std::vector<Vec<3>> &on_edges,
                       std::vector<Vec<3>> &in_face)
   {

@@ -42,6 +42,17 @@ namespace Breakwater
     };
   }
 
+  /// Places on a disc in space: those on its rim and those inside, on rings around its center.
+  /// @param e1, e2 unit vectors in its plane
+  void sample_disc(const Vec<3> &center, const Vec<3> &e1, const Vec<3> &e2, double radius, const SizeField<3> &size,
+                   std::vector<Vec<3>> &on_rim, std::vector<Vec<3>> &inside);
+
+  /// The circle of a disc; t = 0 is at e1.
+  Curve<3> circle(const Vec<3> &center, const Vec<3> &e1, const Vec<3> &e2, double radius);
+
+  /// Two unit vectors that are normal to a unit vector and to each other.
+  void make_frame(const Vec<3> &normal, Vec<3> &e1, Vec<3> &e2);
+
   /// Places on a plane polygon in space: those on its edges, corners included, and those in its face.
   void sample_polygon(const std::vector<Vec<3>> &vertices, const SizeField<3> &size, std::vector<Vec<3>> &on_edges,
                       std::vector<Vec<3>> &in_face);

@@ -55,7 +55,7 @@ namespace Breakwater
         for (std::size_t i = 0; i < nodes.n; ++i)
           {
             is_free_[i]  = nodes.has_cells[i] && !nodes.is_surface[i];
-            mobility_[i] = i < nodes.n_interface ? 0. : regular_mass / std::max(nodes.mass[i], 0.3 * regular_mass);
+            mobility_[i] = nodes.is_driven(i) ? 0. : regular_mass / std::max(nodes.mass[i], 0.3 * regular_mass);
           }
         for (std::size_t c = 0; c < cells.size(); ++c)
           area_[c] = area_vectors(nodes.corners(cells[c]));
@@ -134,7 +134,7 @@ namespace Breakwater
     std::vector<double> missing(nodes.n, 0.);
     double              square_missing = 0, square_volume = 0;
     for (std::size_t i = nodes.n_interface; i < nodes.n; ++i)
-      if (nodes.has_cells[i] && !nodes.is_surface[i])
+      if (nodes.has_cells[i] && !nodes.is_surface[i] && !nodes.is_driven(i))
         {
           const double wanted = nodes.mass[i] / std::max(nodes.density[i], reference_density);
           missing[i]          = std::clamp(wanted - nodes.volume[i], -0.3 * regular, 0.3 * regular);
@@ -150,7 +150,7 @@ namespace Breakwater
       std::vector<double>                          cell_volume;
       for (const auto &cell : cells)
         if (std::all_of(cell.begin(), cell.end(), [&](const unsigned int i) {
-              return i >= nodes.n_interface && !nodes.is_surface[i];
+              return !nodes.is_driven(i) && !nodes.is_surface[i];
             }))
           {
             interior.push_back(cell);
@@ -213,11 +213,12 @@ namespace Breakwater
     const double         regular    = regular_volume<dim>(spacing);
     const double         least_mass = 0.05 * reference_density * regular;
     const ElementPasses &passes     = element_passes<dim>();
-    std::vector<double>  cell_weight(cells.size()), excess_density(nodes.n), active(nodes.n, 1.), given(nodes.n);
+    std::vector<double>  cell_weight(cells.size()), excess_density(nodes.n), active(nodes.n), given(nodes.n);
     std::vector<Quad>    request(cells.size()), received(nodes.n);
     for (std::size_t c = 0; c < cells.size(); ++c)
       cell_weight[c] = std::abs(signed_volume(nodes.corners(cells[c]))) / (2 * (dim + 1));
-    std::fill_n(active.begin(), nodes.n_interface, 0.);
+    for (std::size_t i = 0; i < nodes.n; ++i)
+      active[i] = nodes.is_driven(i) ? 0. : 1.;
     for (Quad &v : nodes.v)
       v[3] = 1;
 
@@ -257,7 +258,7 @@ namespace Breakwater
   {
     double volume = 0, wanted = 0;
     for (std::size_t i = nodes.n_interface; i < nodes.n; ++i)
-      if (nodes.has_cells[i] && !nodes.is_surface[i])
+      if (nodes.has_cells[i] && !nodes.is_surface[i] && !nodes.is_driven(i))
         {
           volume += nodes.volume[i];
           wanted += nodes.mass[i] / nodes.density[i];

@@ -165,15 +165,8 @@ namespace Breakwater
     PhaseTimer         timer(*context_, Phase::output);
     DomainBalance<dim> sum;
     for (const NamedDomain &domain : domains_)
-      {
-        const DomainBalance<dim> balance = domain.domain->balance();
-        sum.mass += balance.mass;
-        sum.kinetic_energy += balance.kinetic_energy;
-        sum.potential_energy += balance.potential_energy;
-        sum.internal_energy += balance.internal_energy;
-        sum.strain_energy += balance.strain_energy;
-      }
-    const double total_energy = sum.kinetic_energy + sum.potential_energy + sum.internal_energy + sum.strain_energy;
+      sum += domain.domain->balance();
+    const double total_energy = sum.energy();
 
     Row row = {{"time [s]", time_},
                {"kinetic energy [J]", sum.kinetic_energy},
@@ -204,10 +197,10 @@ namespace Breakwater
     if (!std::isfinite(total_energy))
       throw BreakdownError("the energy is not finite any more at t = " + std::to_string(time_) +
                            " s; the last rows of history.csv show what grew");
-    monitor_.energy_rise.add(time_, total_energy);
-    if (monitor_.initial_mass > 0)
-      monitor_.largest_mass_drift =
-        std::max(monitor_.largest_mass_drift, std::abs(sum.mass / monitor_.initial_mass - 1));
+    monitor_.energy_rise.add(time_, total_energy - sum.received_energy);
+    if (const double largest_mass = std::max(monitor_.initial_mass, sum.mass); largest_mass > 0)
+      monitor_.largest_mass_drift = std::max(
+        monitor_.largest_mass_drift, std::abs(sum.mass - sum.received_mass - monitor_.initial_mass) / largest_mass);
   }
 
   template <int dim>

@@ -22,6 +22,31 @@ namespace Breakwater
     double   potential_energy = 0; ///< of the body forces [J]
     double   internal_energy  = 0; ///< of compression of a fluid [J]
     double   strain_energy    = 0; ///< of a solid [J]
+
+    // What has come in through openings since time 0, less what has gone: it is part of the sums above.
+    double   received_mass = 0;   ///< [kg]
+    Vec<dim> received_momentum;   ///< with the impulse of what drives it [kg m/s]
+    double   received_energy = 0; ///< with the work of what drives it [J]
+
+    double energy() const { return kinetic_energy + potential_energy + internal_energy + strain_energy; }
+
+    DomainBalance &operator+=(const DomainBalance &other) { return add(other, 1); }
+    DomainBalance &operator-=(const DomainBalance &other) { return add(other, -1); }
+
+  private:
+    DomainBalance &add(const DomainBalance &other, const double sign)
+    {
+      mass += sign * other.mass;
+      momentum += other.momentum * sign;
+      kinetic_energy += sign * other.kinetic_energy;
+      potential_energy += sign * other.potential_energy;
+      internal_energy += sign * other.internal_energy;
+      strain_energy += sign * other.strain_energy;
+      received_mass += sign * other.received_mass;
+      received_momentum += other.received_momentum * sign;
+      received_energy += sign * other.received_energy;
+      return *this;
+    }
   };
 
   /// A body that advances in time by explicit central differences: a fluid or a structure, a coupler can't tell.
