@@ -10,12 +10,16 @@ namespace Breakwater
 {
   namespace
   {
-    /// Corners of a simplex around nodes with coordinates up to `largest` in size. Its size is a power of two,
-    /// so that it seldom changes, and in no symmetry with the nodes, so that no spheres are tied.
+    /// Corners of a simplex around all nodes. Its size is a power of two, so that it seldom changes, and in no symmetry
+    /// with the nodes, so that no spheres are tied.
     template <int dim>
-    std::array<Vec<dim>, dim + 1> far_nodes(const double largest)
+    std::array<Vec<dim>, dim + 1> far_nodes(const std::vector<Vec<dim>> &position)
     {
-      const double size = std::exp2(std::ceil(std::log2(15 * std::max(largest, 1e-100))));
+      double largest = 1e-100;
+      for (const Vec<dim> &x : position)
+        for (int d = 0; d < dim; ++d)
+          largest = std::max(largest, std::abs(x[d]));
+      const double size = std::exp2(std::ceil(std::log2(15 * largest)));
       if constexpr (dim == 2)
         return {{{{-1.73 * size, -1.03 * size}}, {{1.71 * size, -0.97 * size}}, {{0.013 * size, 2.01 * size}}}};
       else
@@ -28,29 +32,24 @@ namespace Breakwater
 
 
   template <int dim>
-  bool DelaunayMesh<dim>::set_positions(const std::vector<Vec<dim>> &position)
+  bool DelaunayMesh<dim>::is_framed(const std::vector<Vec<dim>> &position) const
   {
-    double largest = 0;
-    for (const Vec<dim> &x : position)
-      for (int d = 0; d < dim; ++d)
-        largest = std::max(largest, std::abs(x[d]));
-    const auto far = far_nodes<dim>(largest);
-    const bool is_same_frame =
-      position_.size() == position.size() + far.size() && norm(position_[position.size()] - far[0]) == 0;
-    position_ = position;
-    position_.insert(position_.end(), far.begin(), far.end());
-    n_nodes_ = position.size();
-    return is_same_frame;
+    return position_.size() == position.size() + dim + 1 && norm(position_[n_nodes_] - far_nodes(position)[0]) == 0;
   }
 
 
   template <int dim>
   void DelaunayMesh<dim>::rebuild(const std::vector<Vec<dim>> &position)
   {
-    set_positions(position);
+    const auto far = far_nodes(position);
+    n_nodes_       = position.size();
+    position_      = position;
+    position_.insert(position_.end(), far.begin(), far.end());
     cells_ = delaunay(position_);
     state_.assign(cells_.size(), State::positive);
     unused_.clear();
+    to_check_.clear();
+    stuck_.clear();
     std::vector<char> is_used(position_.size(), 0);
     for (const Cell &cell : cells_)
       for (const unsigned int i : cell.node)
@@ -61,18 +60,20 @@ namespace Breakwater
 
 
   template <int dim>
-  typename DelaunayMesh<dim>::Report DelaunayMesh<dim>::update(const std::vector<Vec<dim>> &position)
+  typename DelaunayMesh<dim>::Report DelaunayMesh<dim>::update(const std::vector<Vec<dim>> &position,
+                                                               const std::vector<Vec<dim>> &on_the_way)
   {
     // A node at the place of another has no cells to be repaired.
-    if (!set_positions(position) || n_hidden_nodes_ > 0)
+    if (n_hidden_nodes_ > 0 || !is_framed(position))
       {
         rebuild(position);
         return report_;
       }
     report_         = {};
     report_.is_full = false;
-    find_bad_facets();
-    flip_all();
+    if (!on_the_way.empty())
+      move_to(on_the_way);
+    move_to(position);
     while (!stuck_.empty())
       {
         const std::vector<Facet> seeds = stuck_;
@@ -90,13 +91,30 @@ namespace Breakwater
 
 
   template <int dim>
-  void DelaunayMesh<dim>::find_bad_facets()
+  void DelaunayMesh<dim>::move_to(const std::vector<Vec<dim>> &position)
   {
-    to_check_.clear();
-    stuck_.clear();
+    std::vector<char> has_moved(position_.size(), 0);
+    for (std::size_t i = 0; i < position.size(); ++i)
+      for (int d = 0; d < dim; ++d)
+        has_moved[i] = has_moved[i] || position_[i][d] != position[i][d];
+    std::copy(position.begin(), position.end(), position_.begin());
+    find_bad_facets(has_moved);
+    flip_all();
+  }
+
+
+  template <int dim>
+  void DelaunayMesh<dim>::find_bad_facets(const std::vector<char> &has_moved)
+  {
+    const auto moves = [&](const unsigned int cell) {
+      char result = 0;
+      for (const unsigned int i : cells_[cell].node)
+        result |= has_moved[i];
+      return result != 0;
+    };
     for (unsigned int c = 0; c < cells_.size(); ++c)
       {
-        if (is_unused(c))
+        if (!moves(c))
           continue;
         const Cell             &cell = cells_[c];
         const Circumsphere<dim> sphere(corners_of(cell.node));
@@ -108,8 +126,9 @@ namespace Breakwater
             if (neighbor == no_cell)
               continue;
             // Between positive cells, one side's sphere tells.
-            if (!is_positive || (neighbor > c && !sphere.is_surely_outside(
-                                                   position_[cells_[neighbor].node[corner_towards(neighbor, c)]])))
+            if (!is_positive ||
+                ((neighbor > c || !moves(neighbor)) &&
+                 !sphere.is_surely_outside(position_[cells_[neighbor].node[corner_towards(neighbor, c)]])))
               to_check_.push_back({c, a});
           }
       }

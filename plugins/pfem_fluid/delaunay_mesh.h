@@ -39,7 +39,9 @@ namespace Breakwater
 
     /// Makes this the triangulation of nodes at new places [m]: by repair where it can, else from nothing, as for
     /// another number of nodes.
-    Report update(const std::vector<Vec<dim>> &position);
+    /// @param on_the_way places that the nodes pass on their way, if not empty. It helps when flat cells between nodes
+    /// near a plane become flatter there, in proportion: they go by flips, where they would be inverted by the thousand.
+    Report update(const std::vector<Vec<dim>> &position, const std::vector<Vec<dim>> &on_the_way = {});
 
     /// The nodes have got new numbers: node k was order[k]. Puts the cells into the order of their highest nodes.
     void renumber(const std::vector<unsigned int> &order);
@@ -68,8 +70,9 @@ namespace Breakwater
     struct CavityBoundary;
 
     // delaunay_mesh.cc
-    bool         set_positions(const std::vector<Vec<dim>> &position);
-    void         find_bad_facets();
+    bool         is_framed(const std::vector<Vec<dim>> &position) const;
+    void         move_to(const std::vector<Vec<dim>> &position);
+    void         find_bad_facets(const std::vector<char> &has_moved);
     Simplex<dim> corners_of(const std::array<unsigned int, dim + 1> &node) const;
     bool         is_unused(const unsigned int cell) const { return state_[cell] == State::unused; }
     unsigned int new_cell();

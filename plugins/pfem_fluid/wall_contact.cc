@@ -151,18 +151,39 @@ namespace Breakwater
   {
     Contacts contacts;
     for (unsigned int f = 0; f < n_planes_; ++f)
-      {
-        const Face  &face     = faces_[f];
-        const double distance = face.direction >= 0 ? x[face.direction] - face.place :
-                                                      plane_distance(face, walls_[face.wall].state.now.to_body(x));
-        if (std::abs(distance) <= tolerance)
-          contacts.add(f);
-      }
+      if (std::abs(distance_now(faces_[f], x)) <= tolerance)
+        contacts.add(f);
     for (const Surface &surface : surfaces_)
       for (const unsigned int patch :
            surface.shape.patches_near(walls_[surface.wall].state.now.to_body(x), tolerance + 2 * clearance * spacing_))
         contacts.add(surface.first_face + patch);
     return contacts;
+  }
+
+
+  template <int dim>
+  double Walls<dim>::distance_now(const Face &plane, const Vec<dim> &x) const
+  {
+    return plane.direction >= 0 ? x[plane.direction] - plane.place :
+                                  plane_distance(plane, walls_[plane.wall].state.now.to_body(x));
+  }
+
+
+  template <int dim>
+  Vec<dim> Walls<dim>::pressed_on(Vec<dim> x, const Vec<dim> &x_old, const double part, const double tolerance) const
+  {
+    for (unsigned int f = 0; f < n_planes_; ++f)
+      {
+        const Face  &face     = faces_[f];
+        const double distance = distance_now(face, x), old_distance = distance_now(face, x_old);
+        if (std::abs(distance) > tolerance || std::abs(old_distance) > tolerance)
+          continue;
+        if (face.direction >= 0)
+          x[face.direction] = face.place + part * old_distance;
+        else
+          x += (part * old_distance - distance) * walls_[face.wall].state.now.rotated(face.normal);
+      }
+    return x;
   }
 
 
