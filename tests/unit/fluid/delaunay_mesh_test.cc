@@ -174,6 +174,33 @@ TYPED_TEST(DelaunayMeshTest, RepairsWhenNodesLandOnAPlaneAndLeaveIt)
 }
 
 
+TYPED_TEST(DelaunayMeshTest, RepairsAFlatLayerThatGetsAnotherShapeByWayOfAFlatterOne)
+{
+  constexpr int dim        = TypeParam::value;
+  const auto    flat       = jittered_box<dim>(0.2, 1);
+  const auto    with_layer = [&](const double thickness, const unsigned int seed) {
+    auto  position = flat;
+    Noise noise(seed);
+    for (auto &x : position)
+      {
+        const double height = thickness * std::max(0., noise());
+        x[0] += x[0] == 0 ? height : 0.;
+      }
+    return position;
+  };
+  auto triangulation = triangulation_of<dim>(with_layer(1e-3, 1));
+  for (unsigned int seed = 2; seed < 6; ++seed)
+    {
+      const auto position = with_layer(1e-3, seed);
+      const auto report   = triangulation.update(position, with_layer(1e-9, seed - 1));
+      EXPECT_EQ(cells_of(triangulation), cells_of(triangulation_of<dim>(position)));
+      EXPECT_FALSE(report.is_full);
+      EXPECT_EQ(report.n_rebuilt_cells, 0u);
+      EXPECT_GT(report.n_flips, 10u);
+    }
+}
+
+
 TYPED_TEST(DelaunayMeshTest, RepairsWhenABodyOfNodesSplits)
 {
   expect_exact_repairs<TypeParam::value>(10, [](auto &x) {
