@@ -92,12 +92,15 @@ namespace Breakwater
     if (initial.shape)
       place = initial.shape->place_nodes(parameters_.size, initial.lattice);
     place.erase(std::remove_if(place.begin(), place.end(),
-                               [&](Vec<dim> &x) {
+                               [&](const Vec<dim> &x) {
                                  const double h = parameters_.size(x);
-                                 return (!adopted_.empty() && adopted_.signed_distance(x, h) < 0.4 * h) ||
-                                        !parameters_.walls.admit(x, 0.36 * h);
+                                 return !adopted_.empty() && adopted_.signed_distance(x, h) < 0.4 * h;
                                }),
                 place.end());
+    if (initial.shape)
+      place = parameters_.walls.fit(place, parameters_.size, [&](const Vec<dim> &x) {
+        return initial.shape->distance(x) <= 1e-3 * parameters_.spacing;
+      });
     if (place.empty() && initial.shape)
       throw InputError("The initial state of the fluid has no nodes: its spacing of " +
                        std::to_string(parameters_.spacing) + " m is too large for its shape.");

@@ -13,9 +13,6 @@ namespace Breakwater
     constexpr double reach = 0.1;
     /// A node in contact that is farther beside a surface than this, in spacings, has left it.
     constexpr double overhang = 0.01;
-    /// Nodes rest on surfaces at this distance, in spacings, so that it is clear on which side they are.
-    constexpr double clearance = 1e-6;
-
     template <int dim>
     Vec<dim> vec(const double *values)
     {
@@ -122,31 +119,6 @@ namespace Breakwater
 
 
   template <int dim>
-  bool Walls<dim>::admit(Vec<dim> &x, const double distance) const
-  {
-    for (const Surface &surface : surfaces_)
-      {
-        const Pose<dim>                &pose = walls_[surface.wall].state.now;
-        Vec<dim>                        x0   = pose.to_body(x);
-        typename WallSurface<dim>::Foot foot;
-        const double                    small = clearance * spacing_;
-        if (surface.shape.nearest(x0, std::max(distance, small), surface.shape.n_patches(), foot))
-          {
-            if (foot.distance > small)
-              return false;
-            for (const unsigned int patch : surface.shape.patches_near(x0, small))
-              if (surface.shape.nearest(x0, 3 * small, patch, foot))
-                x0 += (small - dot(foot.normal, x0 - foot.place)) * foot.normal;
-            x = pose.to_world(x0);
-          }
-        if (surface.shape.is_in_solid(x0))
-          return false;
-      }
-    return true;
-  }
-
-
-  template <int dim>
   Contacts Walls<dim>::faces_at(const Vec<dim> &x, const double tolerance) const
   {
     Contacts contacts;
@@ -155,7 +127,7 @@ namespace Breakwater
         contacts.add(f);
     for (const Surface &surface : surfaces_)
       for (const unsigned int patch :
-           surface.shape.patches_near(walls_[surface.wall].state.now.to_body(x), tolerance + 2 * clearance * spacing_))
+           surface.shape.patches_near(walls_[surface.wall].state.now.to_body(x), tolerance + 2 * clearance()))
         contacts.add(surface.first_face + patch);
     return contacts;
   }
@@ -282,7 +254,7 @@ namespace Breakwater
           directions.add(normal);
         }
       const Vec<dim> &e = directions.back();
-      to += ((clearance * spacing_ - dot(normal, to - place)) / dot(normal, e)) * e;
+      to += ((clearance() - dot(normal, to - place)) / dot(normal, e)) * e;
     };
 
     for (const Contacts::Face f : held)

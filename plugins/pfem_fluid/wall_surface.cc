@@ -78,6 +78,7 @@ namespace Breakwater
       bool         is_forward; ///< direction in which the piece goes round it
     };
     std::map<Ridge, std::vector<Use>> uses;
+    std::vector<Vec<dim>>             corners; ///< by number
 
     explicit Topology(const std::vector<Piece> &pieces)
     {
@@ -90,6 +91,8 @@ namespace Breakwater
               std::array<double, dim> key;
               std::copy_n(pieces[p][k].c, dim, key.begin());
               corner[k] = numbers.emplace(key, numbers.size()).first->second;
+              if (corner[k] == corners.size())
+                corners.push_back(pieces[p][k]);
             }
           for (int k = 0; k < dim; ++k)
             if constexpr (dim == 2)
@@ -236,6 +239,13 @@ namespace Breakwater
         if (norm(normal_[p] - first_normal[patch_[p]]) > 1e-6)
           is_flat_[patch_[p]] = false;
       }
+    for (const auto &[ridge, uses] : topology.uses)
+      if (uses.size() == 2 && patch_[uses[0].piece] != patch_[uses[1].piece])
+        {
+          edges_.emplace_back();
+          for (std::size_t k = 0; k < ridge.size(); ++k)
+            edges_.back()[k] = topology.corners[ridge[k]];
+        }
   }
 
 
@@ -315,6 +325,40 @@ namespace Breakwater
         if (k & (1u << d))
           corners[k][d] = upper_[d];
     return corners;
+  }
+
+
+  template <int dim>
+  std::vector<Vec<dim>> WallSurface<dim>::places_on_edges(const double distance) const
+  {
+    std::vector<Vec<dim>> places;
+    for (const auto &edge : edges_)
+      {
+        const Vec<dim> along = edge.back() - edge.front();
+        const int      n     = std::max(1, static_cast<int>(std::ceil(norm(along) / distance)));
+        for (int k = 0; k <= (dim == 2 ? 0 : n); ++k)
+          places.push_back(edge.front() + along * (static_cast<double>(k) / n));
+      }
+    return places;
+  }
+
+
+  template <int dim>
+  std::vector<Vec<dim>> WallSurface<dim>::places_on_patch(const unsigned int patch, const double distance) const
+  {
+    std::vector<Vec<dim>> places;
+    for (std::size_t p = 0; p < pieces_.size(); ++p)
+      if (patch_[p] == patch)
+        {
+          const Piece   &x  = pieces_[p];
+          const Vec<dim> e1 = x[1] - x[0], e2 = x[dim - 1] - x[0];
+          const double   longest = std::max({norm(e1), norm(e2), norm(x[dim - 1] - x[1])});
+          const int      n       = std::max(1, static_cast<int>(std::ceil(longest / distance)));
+          for (int i = 0; i <= n; ++i)
+            for (int j = 0; j <= (dim == 2 ? 0 : n - i); ++j)
+              places.push_back(x[0] + e1 * (static_cast<double>(i) / n) + e2 * (static_cast<double>(j) / n));
+        }
+    return places;
   }
 
 
@@ -449,18 +493,24 @@ namespace Breakwater
   template <int dim>
   bool WallSurface<dim>::separates(const Vec<dim> &a, const Vec<dim> &b) const
   {
-    constexpr double grazing = 0.25; // sine of the angle
+    constexpr double grazing = 0.4; // sine of the angle
+    constexpr double alike   = 0.5; // cosine of the angle between the normals where a chord enters and leaves
     Vec<dim>         lower, upper;
     for (int d = 0; d < dim; ++d)
       {
         lower[d] = std::min(a[d], b[d]);
         upper[d] = std::max(a[d], b[d]);
       }
-    const double allowed = side_ == FluidSide::both ? 0. : grazing * norm(b - a);
+    const double    allowed = side_ == FluidSide::both ? 0. : grazing * norm(b - a);
+    const Vec<dim> *grazed  = nullptr;
     return !visit_near(lower, upper, [&](const unsigned int p) {
       const double s_a = dot(normal_[p], a - pieces_[p][0]), s_b = dot(normal_[p], b - pieces_[p][0]);
-      return (s_a >= 0) == (s_b >= 0) || std::abs(s_a - s_b) <= allowed ||
-             !contains<dim>(pieces_[p], a + (s_a / (s_a - s_b)) * (b - a));
+      if ((s_a >= 0) == (s_b >= 0) || !contains<dim>(pieces_[p], a + (s_a / (s_a - s_b)) * (b - a)))
+        return true;
+      if (std::abs(s_a - s_b) > allowed || (grazed != nullptr && dot(*grazed, normal_[p]) < alike))
+        return false;
+      grazed = &normal_[p];
+      return true;
     });
   }
 

@@ -64,6 +64,12 @@ namespace Breakwater
     /// The corners of a box around the surface [m].
     std::vector<Vec<dim>> bounding_box() const;
 
+    /// Places on the edges between patches (corners in 2D), their ends included, at most a distance apart [m].
+    std::vector<Vec<dim>> places_on_edges(double distance) const;
+
+    /// Places on a patch, evenly on each of its pieces, at most a distance apart along their edges [m].
+    std::vector<Vec<dim>> places_on_patch(unsigned int patch, double distance) const;
+
     /// The place nearest to x of one patch, or of all for patch = n_patches(). @return false if beyond `reach` [m]
     bool nearest(const Vec<dim> &x, double reach, unsigned int patch, Foot &foot) const;
 
@@ -100,6 +106,9 @@ namespace Breakwater
     std::vector<unsigned int> patch_; ///< of the pieces
     std::vector<char>         is_flat_;
     FluidSide                 side_;
+
+    /// Between patches: corners in 2D, edges with two ends in 3D.
+    std::vector<std::array<Vec<dim>, dim - 1>> edges_;
 
     // Grid of boxes, each with the pieces in it.
     Vec<dim>                  lower_, upper_, box_size_;

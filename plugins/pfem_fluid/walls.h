@@ -3,12 +3,14 @@
 #include "contacts.h"
 #include "rigid_motion.h"
 #include "shapes.h"
+#include "size_field.h"
 #include "wall_surface.h"
 
 #include <breakwater/base/parameter_reader.h>
 #include <breakwater/base/run_context.h>
 #include <breakwater/mesh/quality.h>
 
+#include <functional>
 #include <iosfwd>
 #include <string>
 #include <vector>
@@ -53,9 +55,10 @@ namespace Breakwater
 
     // --- nodes ---
 
-    /// Prepares a node of the initial state: one on a surface is put a trifle into the fluid.
-    /// @return false if it lies in a solid, or closer to a surface than `distance` [m] without lying on it
-    bool admit(Vec<dim> &x, double distance) const;
+    /// Fits the nodes of the initial state to walls other than fixed planes along the axes: those in solids or close to
+    /// a wall are replaced by nodes on the wall, where is_fluid() allows them and no other is near; edges first.
+    std::vector<Vec<dim>> fit(const std::vector<Vec<dim>> &nodes, const SizeField<dim> &size,
+                              const std::function<bool(const Vec<dim> &)> &is_fluid) const;
 
     /// Faces that a place lies on, within a tolerance [m].
     Contacts faces_at(const Vec<dim> &x, double tolerance) const;
@@ -166,8 +169,16 @@ namespace Breakwater
     };
 
     /// Puts fixed planes along the axes first, then other planes, then surfaces.
-    void   number_faces(const std::vector<Face> &planes);
-    double plane_distance(const Face &face, const Vec<dim> &body_place) const;
+    void number_faces(const std::vector<Face> &planes);
+    /// Nodes rest on surfaces at this distance, so that it is clear on which side they are [m].
+    double clearance() const { return 1e-6 * spacing_; }
+    bool   is_in_solid(const Vec<dim> &x) const;
+    /// The place of a wall other than a fixed plane along the axes that is nearest to x.
+    bool nearest_place(const Vec<dim> &x, double reach, Vec<dim> &place) const;
+    /// A place on surfaces, moved off them by a distance; side +1 or -1: where the normal of two-sided ones points, or
+    /// the other one.
+    Vec<dim> off_surfaces(const Vec<dim> &x, double side, double distance) const;
+    double   plane_distance(const Face &face, const Vec<dim> &body_place) const;
     double distance_now(const Face &plane, const Vec<dim> &x) const;
 
     Vec<dim> velocity_at(const Wall &wall, const Vec<dim> &x) const;
