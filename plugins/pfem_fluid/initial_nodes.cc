@@ -69,7 +69,7 @@ namespace Breakwater
     set_initial_pressure();
     RemeshRecord record;
     smooth_mesh(record);
-    compute_volumes<dim>(mesh_.cells, nodes_.xp, nodes_.volume);
+    update_volumes();
     classify_nodes();
     for (std::size_t i = 0; i < nodes_.n; ++i)
       {

@@ -104,7 +104,7 @@ namespace Breakwater
       }
     time_ += time_step;
 
-    compute_volumes<dim>(mesh_.cells, nodes_.xp, nodes_.volume);
+    update_volumes();
     update_pressure();
     update_forces();
     spend_contact_impulse(time_step);
@@ -174,6 +174,9 @@ namespace Breakwater
 
     update_viscosity();
     compute_forces<dim>(mesh_.cells, effects_, nodes_.xp, nodes_.v, nodes_.density_slope, nodes_.force);
+    auto &walls = parameters_.walls;
+    walls.begin_forces();
+    add_cap_forces();
 
     for (std::size_t i = 0; i < nodes_.n_interface; ++i)
       {
@@ -181,8 +184,6 @@ namespace Breakwater
         for (int d = 0; d < dim; ++d)
           nodes_.a[i][d] = nodes_.force[i][d] / mass + body(i)[d];
       }
-    auto &walls = parameters_.walls;
-    walls.begin_forces();
     for (std::size_t i = nodes_.n_interface; i < nodes_.n; ++i)
       {
         for (int d = 0; d < dim; ++d)

@@ -68,6 +68,18 @@ namespace Breakwater
     void place_initial_nodes();
     void set_initial_pressure();
 
+    // curved_walls.cc
+    struct CurvedFacet
+    {
+      typename SimplexMesh<dim>::Facet nodes;
+      Contacts                         faces; ///< of walls that all its nodes lie on
+    };
+    struct Cap;
+    void collect_curved_facets();
+    void update_volumes();
+    void add_cap_forces();
+    Cap  cap_of(const CurvedFacet &facet) const;
+
     // remeshing.cc
     void        remesh();
     std::size_t let_in();                            ///< new nodes at inflows; how many there are
@@ -96,19 +108,20 @@ namespace Breakwater
     const BodyForces<dim> *body_forces_ = nullptr;
     RunContext            *context_     = nullptr;
 
-    FluidNodes<dim>       nodes_;
-    DelaunayMesh<dim>     triangulation_;
-    SimplexMesh<dim>      mesh_;
-    AdoptedSurface<dim>   adopted_;
-    ForceEffects          effects_;
-    bool                  body_force_is_uniform_ = true;
-    bool                  filters_velocity_      = true;
-    std::vector<Vec<dim>> body_acceleration_; ///< one for all nodes if uniform, else one per node [m/s^2]
-    std::vector<double>   pressure_buffer_;
-    std::vector<double>   shear_rate_;          ///< of the cells of a fluid that is not Newtonian [1/s]
-    std::vector<double>   cell_volume_at_rest_; ///< at the last remesh [m^dim]
-    std::vector<double>   cell_viscosity_;      ///< of a fluid that is not Newtonian [Pa s]
-    std::vector<Vec<dim>> contact_impulse_;     ///< of leaked nodes, to be given to the interface nodes [kg m/s]
+    FluidNodes<dim>          nodes_;
+    DelaunayMesh<dim>        triangulation_;
+    SimplexMesh<dim>         mesh_;
+    std::vector<CurvedFacet> curved_facets_; ///< of the mesh
+    AdoptedSurface<dim>      adopted_;
+    ForceEffects             effects_;
+    bool                     body_force_is_uniform_ = true;
+    bool                     filters_velocity_      = true;
+    std::vector<Vec<dim>>    body_acceleration_; ///< one for all nodes if uniform, else one per node [m/s^2]
+    std::vector<double>      pressure_buffer_;
+    std::vector<double>      shear_rate_;          ///< of the cells of a fluid that is not Newtonian [1/s]
+    std::vector<double>      cell_volume_at_rest_; ///< at the last remesh [m^dim]
+    std::vector<double>      cell_viscosity_;      ///< of a fluid that is not Newtonian [Pa s]
+    std::vector<Vec<dim>>    contact_impulse_;     ///< of leaked nodes, to be given to the interface nodes [kg m/s]
 
     DomainBalance<dim> received_; ///< of all nodes that have come in, less those that have gone
 

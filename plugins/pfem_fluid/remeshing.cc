@@ -81,7 +81,7 @@ namespace Breakwater
     smooth_mesh(record);
 
     PhaseTimer transfer_timer(*context_, Phase::remeshing);
-    compute_volumes<dim>(mesh_.cells, nodes_.xp, nodes_.volume);
+    update_volumes();
     classify_nodes();
     for (std::size_t i = 0; i < nodes_.n; ++i)
       {
@@ -201,6 +201,7 @@ namespace Breakwater
     mesh_                     = alpha_shape<dim>(triangulation_, parameters_.alpha * h, keep, lies_along_wall);
     nodes_.position_at_remesh = nodes_.xp;
     parameters_.walls.note_remesh();
+    collect_curved_facets();
     return report;
   }
 

@@ -356,10 +356,10 @@ namespace Breakwater
     };
     for (const Contacts::Face f : held)
       {
-        const Face    &face         = faces_[f];
-        Wall          &wall         = walls_[face.wall];
-        const Vec<dim> acceleration = vec<dim>(a) - acceleration_at(wall, place);
+        const Face    &face = faces_[f];
+        Wall          &wall = walls_[face.wall];
         Vec<dim>       normal;
+        const Vec<dim> acceleration = vec<dim>(a) - acceleration_at(wall, place);
         if (!normal_at(face, place, normal) || dot(normal, acceleration) > 0)
           {
             contacts.remove(f);
@@ -518,6 +518,45 @@ namespace Breakwater
           return true;
       }
     return false;
+  }
+
+
+  template <int dim>
+  bool Walls<dim>::distance_to_curved(const Contacts &faces, const Vec<dim> &x, const double reach, double &distance,
+                                      Vec<dim> &normal) const
+  {
+    for (const Contacts::Face f : faces)
+      {
+        const Face &face = faces_[f];
+        if (face.surface < 0 || surfaces_[face.surface].shape.is_flat(face.patch))
+          continue;
+        const Pose<dim>                &pose = walls_[face.wall].state.now;
+        const Vec<dim>                  x0   = pose.to_body(x);
+        typename WallSurface<dim>::Foot foot;
+        if (!surfaces_[face.surface].shape.nearest(x0, reach, face.patch, foot))
+          return false;
+        distance = dot(foot.normal, x0 - foot.place);
+        normal   = pose.rotated(foot.normal);
+        return true;
+      }
+    return false;
+  }
+
+
+  template <int dim>
+  void Walls<dim>::push(const Contacts &faces, const Vec<dim> &x, const Vec<dim> &force)
+  {
+    Wall &wall = walls_[faces_[*faces.begin()].wall];
+    wall.state.load.add(load_of(wall, x, force), 1.);
+  }
+
+
+  template <int dim>
+  bool Walls<dim>::is_curved(const Contacts &faces) const
+  {
+    return std::any_of(faces.begin(), faces.end(), [&](const Contacts::Face f) {
+      return faces_[f].surface >= 0 && !surfaces_[faces_[f].surface].shape.is_flat(faces_[f].patch);
+    });
   }
 
 

@@ -94,14 +94,22 @@ namespace Breakwater
     bool flatten(const Contacts &shared, const Simplex<dim> &cell) const;
     /// True if a facet whose nodes all lie on these faces lies on the wall.
     bool close(const Contacts &shared, const std::array<Vec<dim>, dim> &facet) const;
+    /// Distance of x to the first of the faces that is bent, positive in the fluid, and the normal there.
+    /// @return false if none is, or it is farther away than `reach` [m]
+    bool distance_to_curved(const Contacts &faces, const Vec<dim> &x, double reach, double &distance,
+                            Vec<dim> &normal) const;
+    /// True if one of the faces is bent.
+    bool is_curved(const Contacts &faces) const;
     /// Area over slip length of a facet that such a face closes [m^(dim - 2)]; 0 where no wall has Navier slip.
     double slip_conductance(const Contacts &shared, const std::array<Vec<dim>, dim> &facet) const;
     bool   any_has_navier_slip() const;
 
     // --- forces ---
 
-    /// constrain() is about to be called for all nodes anew.
+    /// push() and constrain() are about to be called for all nodes anew.
     void begin_forces();
+    /// A force [N] at a place on the wall of the first of these faces.
+    void push(const Contacts &faces, const Vec<dim> &x, const Vec<dim> &force);
     /// The forces of the last constrain() act for a time [s].
     void act(double duration);
     /// Adds the mean forces and moments since the last call, at a time [s].
