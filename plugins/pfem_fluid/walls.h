@@ -187,7 +187,7 @@ namespace Breakwater
     /// the other one.
     Vec<dim> off_surfaces(const Vec<dim> &x, double side, double distance) const;
     double   plane_distance(const Face &face, const Vec<dim> &body_place) const;
-    double distance_now(const Face &plane, const Vec<dim> &x) const;
+    double   distance_now(const Face &plane, const Vec<dim> &x) const;
 
     Vec<dim> velocity_at(const Wall &wall, const Vec<dim> &x) const;
     Vec<dim> acceleration_at(const Wall &wall, const Vec<dim> &x) const;

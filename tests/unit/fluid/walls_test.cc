@@ -139,7 +139,7 @@ TEST(Walls, ConstrainHoldsWhatIsPressedOn)
   Walls<2> walls = tank<2>("free slip");
   double   a[2] = {7., -9.81}, v[2] = {2., -1e-3};
   Contacts contacts = contacts_of({bottom});
-  walls.constrain(origin, a, v, 1., 0., {}, contacts);
+  walls.constrain(origin, a, v, 1., 0., contacts);
   EXPECT_EQ(a[0], 7.);
   EXPECT_EQ(a[1], 0.);
   EXPECT_EQ(v[0], 2.);
@@ -153,7 +153,7 @@ TEST(Walls, ConstrainReleasesWhatIsPulledAway)
   Walls<2> walls = tank<2>("free slip");
   double   a[2] = {7., 1.}, v[2] = {2., 0.};
   Contacts contacts = contacts_of({bottom, right}); // the right wall's inside is at smaller x: 7 presses on
-  walls.constrain(origin, a, v, 1., 0., {}, contacts);
+  walls.constrain(origin, a, v, 1., 0., contacts);
   EXPECT_EQ(a[0], 0.);
   EXPECT_EQ(a[1], 1.);
   EXPECT_EQ(v[0], 0.);
@@ -166,7 +166,7 @@ TEST(Walls, ConstrainWithoutContactChangesNothing)
   Walls<2> walls = tank<2>("no slip");
   double   a[2] = {7., -1.}, v[2] = {2., -3.};
   Contacts contacts;
-  walls.constrain(origin, a, v, 1., 0., {}, contacts);
+  walls.constrain(origin, a, v, 1., 0., contacts);
   EXPECT_EQ(a[1], -1.);
   EXPECT_EQ(v[1], -3.);
 }
@@ -177,14 +177,14 @@ TEST(Walls, ConstrainWithoutSlipHoldsAllDirectionsUntilRelease)
   Walls<3> walls = tank<3>("no slip");
   double   a[3] = {7., -1., 5.}, v[3] = {2., 0., 1.};
   Contacts contacts = contacts_of({bottom});
-  walls.constrain(origin, a, v, 1., 0., {}, contacts);
+  walls.constrain(origin, a, v, 1., 0., contacts);
   for (int d = 0; d < 3; ++d)
     {
       EXPECT_EQ(a[d], 0.);
       EXPECT_EQ(v[d], 0.);
     }
   double away[3] = {7., 1., 5.};
-  walls.constrain(origin, away, v, 1., 0., {}, contacts);
+  walls.constrain(origin, away, v, 1., 0., contacts);
   EXPECT_TRUE(contacts.empty());
   EXPECT_EQ(away[0], 7.);
 }
