@@ -154,7 +154,7 @@ namespace Breakwater
     std::vector<char> near_surface(nodes_.n, 0);
     if (walls.any_has_surface())
       for (std::size_t i = 0; i < nodes_.n; ++i)
-        near_surface[i] = !walls.are_far(position[i], parameters_.alpha * h);
+        near_surface[i] = !walls.are_far(position[i], parameters_.alpha * parameters_.size(position[i]));
 
     const auto is_interface = [&](const unsigned int i) {
       return i < nodes_.n_interface;
@@ -182,14 +182,19 @@ namespace Breakwater
     };
     // A flat cell along a wall has a large circumradius only because its nodes have come close to the wall. Without it
     // there would be a free surface at the wall, deep in the fluid, and the pressure would push into the hole.
+    const SizeField<dim> &size = parameters_.size;
     std::vector<Contacts> near_walls(nodes_.n);
     for (std::size_t i = 0; i < nodes_.n; ++i)
-      near_walls[i] = walls.faces_at(position[i], 0.5 * h);
-    const auto lies_along_wall = [&](const typename SimplexMesh<dim>::Cell &cell) {
+      near_walls[i] = walls.faces_at(position[i], 0.5 * size(position[i]));
+    const auto is_small_anyway = [&](const typename SimplexMesh<dim>::Cell &cell) {
+      const Simplex<dim> x            = corners(position, cell);
+      const double       largest_size = parameters_.alpha * size(x[0]);
+      if (!size.is_uniform() && circumradius(x) <= largest_size)
+        return true;
       Contacts shared = near_walls[cell[0]];
       for (const unsigned int i : cell)
         shared = common(shared, near_walls[i]);
-      return !shared.empty() && longest_edge<dim>(corners(position, cell)) <= 1.9 * parameters_.alpha * h;
+      return !shared.empty() && longest_edge<dim>(x) <= 1.9 * largest_size;
     };
     // Along walls there are layers of flat cells, between nodes that have just left the wall and others on it. Half way
     // they are pressed flat.
@@ -198,7 +203,7 @@ namespace Breakwater
       for (std::size_t i = 0; i < nodes_.n; ++i)
         pressed.push_back(walls.pressed_on(position[i], triangulation_.position()[i], 1e-6, 0.1 * h));
     const auto report         = triangulation_.update(position, pressed);
-    mesh_                     = alpha_shape<dim>(triangulation_, parameters_.alpha * h, keep, lies_along_wall);
+    mesh_                     = alpha_shape<dim>(triangulation_, parameters_.alpha * h, keep, is_small_anyway);
     nodes_.position_at_remesh = nodes_.xp;
     parameters_.walls.note_remesh();
     collect_curved_facets();
