@@ -4,7 +4,7 @@ way of the plug."""
 
 from _scene import Verification, read_summary, run
 
-FREE = {"Fluid/Pfem/Initial state/Shape": "", "Body forces/Gravity/Acceleration": "0, 0", "Output/Fields every": 0}
+FREE = {"Body forces/Gravity/Acceleration": "0, 0", "Fluid/Pfem/Inflows/Jet/Speed": 1, "Output/Fields every": 0}
 JET_3D = {
     "Dimension": 3, "Body forces/Gravity/Acceleration": "0, 0, 0", "Fluid/Pfem/Spacing": 0.01,
     "Fluid/Pfem/Walls/Container/Shape": "open box(0, 0, 0; 0.3, 0.3, 0.3)",
@@ -15,12 +15,12 @@ OPENINGS = {
 DENSITY = 1000
 
 
-def way(time, end=0.8):
-    """Of the plug of filling_jet.prm: its speed rises to 1 m/s within 0.1 s and ends at `end`."""
-    return 5 * time ** 2 if time < 0.1 else 0.05 + min(time, end) - 0.1
+def way_of_cookbook(time):
+    """Of the plug of filling_jet.prm: its speed rises to 1 m/s within 0.1 s; it stops at 0.8 s."""
+    return 5 * time ** 2 if time < 0.1 else 0.05 + min(time, 0.8) - 0.1
 
 
-def check(name, history, spacing, area):
+def check(name, history, spacing, area, way):
     times, mass_in = history["time [s]"], history["mass through Jet [kg]"]
     layer = DENSITY * area * spacing
     largest = max(abs(m - DENSITY * area * way(t)) for t, m in zip(times, mass_in))
@@ -38,7 +38,7 @@ def check(name, history, spacing, area):
 verification = Verification()
 
 history = run("cookbooks/filling_jet.prm", {"Output/Fields every": 0})
-check("filling", history, 0.005, 0.04)
+check("filling", history, 0.005, 0.04, way_of_cookbook)
 net = [e - r for e, r in zip(history["total energy [J]"], history["energy received through openings [J]"])]
 verification.check("filling: energy above what came in, of all that came in",
                    max(net) / history["energy received through openings [J]"][-1], 0, 1e-3)
@@ -46,14 +46,14 @@ verification.check("filling: energy made within 0.05 s, of all that came in",
                    read_summary()["largest energy rise over 0.05 s [J]"] /
                    history["energy received through openings [J]"][-1], 0, 1e-3)
 
-# Without gravity nothing acts on the jet but what drives it, until it comes to the drain: a ray across the container.
+# Without gravity, and at a steady speed, nothing changes the jet on its way to the drain.
 DRAIN = {"Fluid/Pfem/Outflows/Drain/Shape": "box(0, 0; 0.3, 0.1)"}
 cases = [("2D", {**FREE, **DRAIN}, 0.005, 0.04)]
 cases += [(text, {**FREE, **JET_3D, "Fluid/Pfem/Outflows/Drain/Shape": "box(0, 0, 0; 0.3, 0.15, 0.3)",
                   "Fluid/Pfem/Inflows/Jet/Opening": text}, 0.01, area) for text, area in OPENINGS.items()]
 for name, settings, spacing, area in cases:
     history = run("cookbooks/filling_jet.prm", {**settings, "End time": 0.7})
-    check(name, history, spacing, area)
+    check(name, history, spacing, area, lambda time: time)
     verification.check(f"{name}: mass that has gone, of what came in",
                        history["mass through Drain [kg]"][-1] / history["mass through Jet [kg]"][-1], 0.4, 0.9)
     largest = max(abs(p) for p in history["fluid momentum y [kg m/s]"])
@@ -63,5 +63,5 @@ for name, settings, spacing, area in cases:
                        / largest, 0, 1e-12)
     net = [e - r for e, r in zip(history["total energy [J]"], history["energy received through openings [J]"])]
     verification.check(f"{name}: energy that openings do not explain, of the largest", max(abs(e) for e in net)
-                       / max(history["kinetic energy [J]"]), 0, 0.02)
+                       / max(history["kinetic energy [J]"]), 0, 1e-9)
 verification.finish()
