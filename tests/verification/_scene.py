@@ -12,14 +12,14 @@ EXECUTABLE = os.environ["BREAKWATER_EXECUTABLE"]
 SOURCES = os.environ["BREAKWATER_SOURCE_DIR"]
 
 
-def run(scene, settings=None, output="output"):
+def run(scene, settings=None, output="output", expected_exit=0):
     """Runs parameter_files/SCENE with {"Section/Entry": value} set; the columns of history.csv by their names."""
     shutil.rmtree(output, ignore_errors=True)
     command = [EXECUTABLE, os.path.join(SOURCES, "parameter_files", scene), "--output", output]
     for entry, value in (settings or {}).items():
         command += ["--set", f"{entry}={value}"]
     result = subprocess.run(command, capture_output=True, text=True, check=False)
-    if result.returncode != 0:
+    if result.returncode != expected_exit:
         sys.exit(f"{' '.join(command)}\nended with {result.returncode}:\n{result.stderr}")
     return read_columns(os.path.join(output, "history.csv"))
 
