@@ -59,6 +59,12 @@ namespace Breakwater
     context.note_effect("tension", parameters_.tension == "allowed", "pressure below zero is cut off");
     context.note_effect("moving walls", parameters_.walls.any_moves(), "no wall has a motion");
     context.note_effect("Navier slip", parameters_.walls.any_has_navier_slip(), "no wall has that law");
+    context.note_effect("spacing that varies", !parameters_.size.is_uniform(), "the spacing is one number");
+    if (parameters_.size.was_graded())
+      context.note_effect("spacing made smaller where it was steeper than " +
+                            std::to_string(SizeField<dim>::largest_gradient).substr(0, 3),
+                          true);
+    context.note_effect("inflow and outflow", !parameters_.openings.empty(), "the scene names no opening");
     context.note_effect("mesh smoothing", !parameters_.mesh_smoothers.empty(),
                         "no smoother is named; the spectral bound does not need one");
 
