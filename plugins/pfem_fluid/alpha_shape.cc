@@ -50,9 +50,11 @@ namespace Breakwater
       std::vector<typename SimplexMesh<dim>::Cell> sorted(cells.size());
       for (const auto &cell : cells)
         sorted[start[highest(cell)]++] = cell;
-      // Now start[i] is the end of the cells of node i.
+      // Now start[i] is the end of the cells of node i, which are few.
       for (std::size_t i = 0; i < n_nodes; ++i)
-        std::sort(sorted.begin() + (i == 0 ? 0 : start[i - 1]), sorted.begin() + start[i]);
+        for (unsigned int begin = i == 0 ? 0 : start[i - 1], c = begin; c < start[i]; ++c)
+          for (unsigned int k = c; k > begin && sorted[k] < sorted[k - 1]; --k)
+            std::swap(sorted[k], sorted[k - 1]);
       cells.swap(sorted);
     }
   } // namespace

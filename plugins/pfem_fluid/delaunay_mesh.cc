@@ -48,6 +48,7 @@ namespace Breakwater
     cells_ = delaunay(position_);
     state_.assign(cells_.size(), State::positive);
     unused_.clear();
+    sort_cells();
     to_check_.clear();
     stuck_.clear();
     std::vector<char> is_used(position_.size(), 0);
@@ -215,13 +216,20 @@ namespace Breakwater
         position_[k]         = old_position[order[k]];
       }
 
-    // Counting sort of the used cells by their highest node.
+    for (Cell &cell : cells_)
+      for (unsigned int &i : cell.node)
+        i = new_number[i];
+    sort_cells();
+  }
+
+
+  template <int dim>
+  void DelaunayMesh<dim>::sort_cells()
+  {
+    // Counting sort of the used cells.
     std::vector<unsigned int> start(position_.size() + 1, 0), place(cells_.size(), no_cell);
-    const auto                highest = [&](const Cell &cell) {
-      unsigned int result = 0;
-      for (const unsigned int i : cell.node)
-        result = std::max(result, new_number[i]);
-      return result;
+    const auto                highest = [](const Cell &cell) {
+      return *std::max_element(cell.node.begin(), cell.node.end());
     };
     for (unsigned int c = 0; c < cells_.size(); ++c)
       if (!is_unused(c))
@@ -234,12 +242,12 @@ namespace Breakwater
     std::vector<Cell> sorted(cells_.size() - unused_.size());
     for (unsigned int c = 0; c < cells_.size(); ++c)
       if (!is_unused(c))
-        for (int a = 0; a <= dim; ++a)
-          {
-            const unsigned int neighbor  = cells_[c].neighbor[a];
-            sorted[place[c]].node[a]     = new_number[cells_[c].node[a]];
-            sorted[place[c]].neighbor[a] = neighbor == no_cell ? no_cell : place[neighbor];
-          }
+        {
+          Cell &cell = sorted[place[c]];
+          cell       = cells_[c];
+          for (unsigned int &neighbor : cell.neighbor)
+            neighbor = neighbor == no_cell ? no_cell : place[neighbor];
+        }
     cells_.swap(sorted);
     state_.assign(cells_.size(), State::positive);
     unused_.clear();

@@ -70,6 +70,7 @@ namespace Breakwater
     struct CavityBoundary;
 
     // delaunay_mesh.cc
+    void         sort_cells(); ///< by their highest nodes
     bool         is_framed(const std::vector<Vec<dim>> &position) const;
     void         move_to(const std::vector<Vec<dim>> &position);
     void         find_bad_facets(const std::vector<char> &has_moved);

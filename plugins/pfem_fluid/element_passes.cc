@@ -312,27 +312,44 @@ namespace Breakwater
           }
       }
 
-      template <int dim>
-      void exchange_requests(const unsigned int *cells, const std::size_t n_cells, const double *cell_weight,
-                             const double *excess_density, const double *active, Quad *request, double *given)
+      template <int dim, bool all_active>
+      void exchange_requests_of(const unsigned int *cells, const std::size_t n_cells, const double *cell_weight,
+                                const double *excess_density, const double *active, Quad *request, double *given)
       {
         for (std::size_t c = 0; c < n_cells; ++c)
           {
             const unsigned int *cell = cells + c * (dim + 1);
-            V4                  e = all(0.), is_active = all(0.);
+            double              e[dim + 1], is_active[dim + 1], sum = 0, n = 0;
             for (int a = 0; a <= dim; ++a)
               {
                 e[a]         = excess_density[cell[a]];
-                is_active[a] = active[cell[a]];
+                is_active[a] = all_active ? 1. : active[cell[a]];
+                sum += is_active[a] * e[a];
+                n += is_active[a];
               }
-            const V4     weighted = e * is_active;
-            const double n        = is_active[0] + is_active[1] + is_active[2] + is_active[3];
-            const double sum      = weighted[0] + weighted[1] + weighted[2] + weighted[3];
-            const V4     z        = all(cell_weight[c]) * is_active * (all(n > 0 ? sum / n : 0.) - e);
+            const double mean = n > 0 ? sum / n : 0.;
+            V4           z    = all(0.);
+            if constexpr (dim == 2)
+              z = V4{is_active[0] * (mean - e[0]), is_active[1] * (mean - e[1]), is_active[2] * (mean - e[2]), 0.};
+            else
+              z = V4{is_active[0] * (mean - e[0]), is_active[1] * (mean - e[1]), is_active[2] * (mean - e[2]),
+                     is_active[3] * (mean - e[3])};
+            z *= all(cell_weight[c]);
             store(request[c], z);
+            const V4 donated = z < all(0.) ? -z : all(0.);
             for (int a = 0; a <= dim; ++a)
-              given[cell[a]] += z[a] < 0 ? -z[a] : 0.;
+              given[cell[a]] += donated[a];
           }
+      }
+
+      template <int dim>
+      void exchange_requests(const unsigned int *cells, const std::size_t n_cells, const double *cell_weight,
+                             const double *excess_density, const double *active, Quad *request, double *given)
+      {
+        if (active == nullptr)
+          exchange_requests_of<dim, true>(cells, n_cells, cell_weight, excess_density, active, request, given);
+        else
+          exchange_requests_of<dim, false>(cells, n_cells, cell_weight, excess_density, active, request, given);
       }
 
       template <int dim>
@@ -346,17 +363,22 @@ namespace Breakwater
             const V4            donated = z < all(0.) ? -z : all(0.);
             const V4            taken   = z > all(0.) ? z : all(0.);
             V4                  total   = all(0.); // momentum that is given, and mass in the fourth lane
-            V4                  u[dim + 1];
-            double              scale = 1;
+            V4                  u[dim + 1], parts = all(1.);
             for (int a = 0; a <= dim; ++a)
               {
                 u[a] = load(v[cell[a]]);
                 total += all(donated[a]) * u[a];
-                const double p = donated[a] > 0 ? part[cell[a]] : 1.;
-                scale          = p < scale ? p : scale;
+                parts[a] = part[cell[a]];
               }
             if (!(total[3] > 0))
               continue;
+            // The least part of a donor.
+            parts              = donated > all(0.) ? parts : all(1.);
+            V4 least           = __builtin_shuffle(parts, I4{1, 0, 3, 2});
+            least              = parts < least ? parts : least;
+            const V4 swap      = __builtin_shuffle(least, I4{2, 3, 0, 1});
+            least              = swap < least ? swap : least;
+            const double scale = least[0] < 1. ? least[0] : 1.;
             // Donors keep their velocity: what they give leaves with it. Receivers mix in the donors' mean velocity.
             const V4 share = all(scale / total[3]) * total;
             for (int a = 0; a <= dim; ++a)

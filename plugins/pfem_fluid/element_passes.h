@@ -52,7 +52,7 @@ namespace Breakwater
                             const Quad *xp, const Quad *v, const Quad *gradient, const double *node_density,
                             const double *inverse_mass, Quad *impulse);
     /// First half of a sweep of the mass exchange: `request` [cell][corner] is what each corner would get,
-    /// -weight (e_a - mean e) over the corners that take part (`active` 1, else 0); `given` adds up what nodes give.
+    /// -weight (e_a - mean e) over the corners that take part (`active` 1, else 0; null: all); `given` adds up what nodes give.
     void (*exchange_requests)(const unsigned int *cells, std::size_t n_cells, const double *cell_weight,
                               const double *excess_density, const double *active, Quad *request, double *given);
     /// Second half: moves the requested mass, scaled by the least `part` of the cell's donors. `v` has 1 in its fourth

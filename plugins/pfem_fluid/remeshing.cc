@@ -159,7 +159,22 @@ namespace Breakwater
     const auto is_interface = [&](const unsigned int i) {
       return i < nodes_.n_interface;
     };
+    // A cell with a node that nothing holds, and none at a surface or interface, needs no closer look.
+    constexpr char    held = 1, delicate = 2;
+    std::vector<char> marks(nodes_.n);
+    for (std::size_t i = 0; i < nodes_.n; ++i)
+      marks[i] = (!nodes_.walls[i].empty() || is_interface(i) ? held : 0) |
+                 (near_surface[i] || is_interface(i) || is_inside ? delicate : 0);
+
     const auto keep = [&](const typename SimplexMesh<dim>::Cell &cell) {
+      char of_all = held, of_any = 0;
+      for (const unsigned int i : cell)
+        {
+          of_all &= marks[i];
+          of_any |= marks[i];
+        }
+      if ((of_all & held) == 0 && (of_any & delicate) == 0)
+        return true;
       Contacts shared       = nodes_.walls[cell[0]];
       bool     is_all_fixed = true, is_near_surface = false, has_interface = false, is_all_interface = true;
       for (const unsigned int i : cell)

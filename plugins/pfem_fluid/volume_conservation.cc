@@ -219,6 +219,8 @@ namespace Breakwater
       cell_weight[c] = std::abs(signed_volume(nodes.corners(cells[c]))) / (2 * (dim + 1));
     for (std::size_t i = 0; i < nodes.n; ++i)
       active[i] = nodes.is_driven(i) ? 0. : 1.;
+    if (std::find(active.begin(), active.end(), 0.) == active.end())
+      active.clear(); // all take part
     for (Quad &v : nodes.v)
       v[3] = 1;
 
@@ -230,7 +232,7 @@ namespace Breakwater
         std::fill(given.begin(), given.end(), 0.);
         std::fill(received.begin(), received.end(), Quad());
         passes.exchange_requests(cells.front().data(), cells.size(), cell_weight.data(), excess_density.data(),
-                                 active.data(), request.data(), given.data());
+                                 active.empty() ? nullptr : active.data(), request.data(), given.data());
         // From here on: the part of what it would give that a node may give.
         for (std::size_t i = 0; i < nodes.n; ++i)
           {
