@@ -8,6 +8,10 @@ namespace Breakwater
   class OneWall : public GivenParameters
   {
   public:
+    explicit OneWall(const std::map<std::string, std::string> &values)
+      : GivenParameters(values)
+    {
+    }
     explicit OneWall(const std::string &shape, const std::string &law = "free slip")
       : GivenParameters(std::map<std::string, std::string>{{"Shape", shape}, {"Law", law}})
     {
