@@ -4,6 +4,7 @@
 #include "shape_text.h"
 
 #include <breakwater/base/exceptions.h>
+#include <breakwater/base/nearest_name.h>
 
 #include <algorithm>
 #include <cmath>
@@ -205,6 +206,8 @@ namespace Breakwater
   template <int dim>
   FluidShape<dim>::FluidShape(const std::string &text, const BoxShape<dim> &walls, const ParameterReader &reader)
   {
+    if (trim(text).empty())
+      throw InputError("no shape is given. " + documentation());
     bool        is_taken_away = false;
     std::size_t cursor        = 0;
     while (cursor != std::string::npos)

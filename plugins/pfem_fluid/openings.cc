@@ -101,6 +101,14 @@ namespace Breakwater
       }
     if (!(from_ < until_))
       reader.fail("Until", "the flow must end after it has started");
+    try
+      {
+        (void)velocity(from_);
+      }
+    catch (const BreakdownError &error)
+      {
+        reader.fail(entry, error.what());
+      }
   }
 
 

@@ -181,7 +181,7 @@ TEST(FluidShape, SprayIsNodesFarFromEachOtherWithoutCells)
 TEST(FluidShape, WrongTextsAreExplained)
 {
   const std::vector<std::pair<std::string, std::string>> cases = {
-    {"", "a shape is missing"},
+    {"", "no shape is given. Where the fluid is"},
     {"box(0, 0; 1, 1) +", "a shape is missing behind \"box(0, 0; 1, 1) +\""},
     {"box(0, 0; 1)", "in box(0, 0; 1): 3 numbers are given; expected box(x, y; X, Y)"},
     {"box(0, 1; 1, 0)", "the second corner must be larger"},

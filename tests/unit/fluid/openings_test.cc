@@ -108,6 +108,7 @@ TEST(Inflow, WrongEntriesAreExplained)
     {with(segment_2d, "Flow rate", "1"), "either the speed or the flow rate"},
     {with(segment_2d, "Speed", ""), "either the speed or the flow rate"},
     {with(segment_2d, "Speed", "fast"), "\"fast\" is no expression"},
+    {with(segment_2d, "Speed", "t - 1"), "it must be finite and not negative"},
     {with(segment_2d, "From", "2"), "must end after it has started"}};
   for (const auto &[values, expected] : cases)
     {
@@ -116,7 +117,7 @@ TEST(Inflow, WrongEntriesAreExplained)
       });
       EXPECT_NE(message.find(expected), std::string::npos) << message << " instead of " << expected;
     }
-  EXPECT_THROW(inflow_of<2>(with(segment_2d, "Speed", "-1")).velocity(0), BreakdownError);
+  EXPECT_THROW(inflow_of<2>(with(segment_2d, "Speed", "1 - t")).velocity(2), BreakdownError);
 }
 
 
