@@ -1,4 +1,5 @@
 #include "delaunay_mesh.h"
+#include "predicates.h"
 
 #include <algorithm>
 
@@ -88,7 +89,8 @@ namespace Breakwater
 
 
   template <int dim>
-  bool DelaunayMesh<dim>::rebuild_cavity(const std::vector<unsigned int> &cavity, std::vector<unsigned int> &to_add)
+  bool DelaunayMesh<dim>::rebuild_cavity(const std::vector<unsigned int> &cavity, std::vector<unsigned int> &to_add,
+                                         const unsigned int added_node, const unsigned int removed_node)
   {
     to_add.clear();
     std::vector<unsigned int>   nodes;
@@ -110,6 +112,9 @@ namespace Breakwater
     std::sort(boundary.begin(), boundary.end(), is_before);
     std::sort(nodes.begin(), nodes.end());
     nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+    nodes.erase(std::remove(nodes.begin(), nodes.end(), removed_node), nodes.end());
+    if (added_node != no_node)
+      nodes.insert(std::lower_bound(nodes.begin(), nodes.end(), added_node), added_node);
 
     std::vector<Vec<dim>> points;
     for (const unsigned int i : nodes)
@@ -199,6 +204,93 @@ namespace Breakwater
       }
     report_.n_rebuilt_cells += found.size();
     return true;
+  }
+
+
+  template <int dim>
+  bool DelaunayMesh<dim>::rebuild_cavity_of(const unsigned int cell,
+                                            bool (DelaunayMesh::*belongs)(unsigned int, unsigned int) const,
+                                            const unsigned int added_node, const unsigned int removed_node)
+  {
+    const unsigned int node = added_node != no_node ? added_node : removed_node;
+    mark_.resize(cells_.size(), 0);
+    ++last_mark_;
+    std::vector<unsigned int> cavity = {cell}, unused;
+    mark_[cell]                      = last_mark_;
+    for (std::size_t k = 0; k < cavity.size(); ++k)
+      for (const unsigned int neighbor : cells_[cavity[k]].neighbor)
+        if (neighbor != no_cell && mark_[neighbor] != last_mark_ && (this->*belongs)(neighbor, node))
+          {
+            mark_[neighbor] = last_mark_;
+            cavity.push_back(neighbor);
+          }
+    return rebuild_cavity(cavity, unused, added_node, removed_node);
+  }
+
+
+  template <int dim>
+  bool DelaunayMesh<dim>::holds(const unsigned int cell, const unsigned int node) const
+  {
+    const auto &nodes = cells_[cell].node;
+    return std::find(nodes.begin(), nodes.end(), node) != nodes.end();
+  }
+
+
+  template <int dim>
+  bool DelaunayMesh<dim>::is_in_conflict(const unsigned int cell, const unsigned int node) const
+  {
+    return Circumsphere<dim>(corners_of(cells_[cell].node)).contains(position_[node]);
+  }
+
+
+  template <int dim>
+  bool DelaunayMesh<dim>::remove_nodes(const std::vector<char> &is_removed)
+  {
+    std::vector<unsigned int> cell_of(n_nodes_, no_cell);
+    for (unsigned int c = 0; c < cells_.size(); ++c)
+      for (const unsigned int i : cells_[c].node)
+        if (i < n_nodes_)
+          cell_of[i] = c;
+    for (unsigned int i = 0; i < n_nodes_; ++i)
+      if (is_removed[i])
+        {
+          // The cell may have gone with another node.
+          unsigned int c = cell_of[i];
+          if (c == no_cell || !holds(c, i))
+            for (c = 0; c < cells_.size() && !holds(c, i); ++c)
+              ;
+          if (c == cells_.size() || !rebuild_cavity_of(c, &DelaunayMesh::holds, no_node, i))
+            return false;
+        }
+    return true;
+  }
+
+
+  template <int dim>
+  bool DelaunayMesh<dim>::insert_node(const unsigned int node)
+  {
+    // A walk towards the node, through the facets that it is behind.
+    unsigned int c = 0;
+    while (c < cells_.size() && is_unused(c))
+      ++c;
+    bool is_there = false;
+    for (std::size_t n_steps = 0; !is_there && n_steps < cells_.size(); ++n_steps)
+      {
+        is_there = true;
+        for (unsigned int a = 0; a <= dim && is_there; ++a)
+          {
+            auto nodes = cells_[c].node;
+            nodes[a]   = node;
+            if (orientation(nodes) < 0)
+              {
+                is_there = false;
+                c        = cells_[c].neighbor[a];
+                if (c == no_cell)
+                  return false;
+              }
+          }
+      }
+    return is_there && rebuild_cavity_of(c, &DelaunayMesh::is_in_conflict, node, no_node);
   }
 
   template class DelaunayMesh<2>;

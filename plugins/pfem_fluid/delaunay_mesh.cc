@@ -55,6 +55,7 @@ namespace Breakwater
     for (const Cell &cell : cells_)
       for (const unsigned int i : cell.node)
         is_used[i] = 1;
+    new_nodes_.clear();
     n_hidden_nodes_ = std::count(is_used.begin(), is_used.end(), 0);
     report_         = {};
   }
@@ -87,6 +88,15 @@ namespace Breakwater
             }
         flip_all();
       }
+    const std::vector<unsigned int> new_nodes = new_nodes_;
+    new_nodes_.clear();
+    for (const unsigned int node : new_nodes)
+      if (!insert_node(node))
+        {
+          rebuild(position);
+          return report_;
+        }
+    to_check_.clear(); // what surrounds an inserted node is right
     return report_;
   }
 
@@ -207,15 +217,37 @@ namespace Breakwater
   template <int dim>
   void DelaunayMesh<dim>::renumber(const std::vector<unsigned int> &order)
   {
-    std::vector<unsigned int> new_number(position_.size());
-    std::iota(new_number.begin(), new_number.end(), 0u);
-    const std::vector<Vec<dim>> old_position = position_;
+    std::vector<char> is_removed(n_nodes_, 1);
+    new_nodes_.clear();
     for (unsigned int k = 0; k < order.size(); ++k)
+      if (order[k] == no_node)
+        new_nodes_.push_back(k);
+      else
+        is_removed[order[k]] = 0;
+    // Each such node costs as much as some 25 of a new triangulation.
+    const std::size_t n_changes = new_nodes_.size() + std::count(is_removed.begin(), is_removed.end(), 1);
+    if (n_hidden_nodes_ > 0 || 25 * n_changes > n_nodes_ || !remove_nodes(is_removed))
       {
-        new_number[order[k]] = k;
-        position_[k]         = old_position[order[k]];
+        *this = {};
+        return;
       }
 
+    std::vector<unsigned int>   new_number(position_.size());
+    const std::vector<Vec<dim>> old_position = position_;
+    position_.resize(order.size());
+    for (unsigned int k = 0; k < order.size(); ++k)
+      if (order[k] != no_node)
+        {
+          new_number[order[k]] = k;
+          position_[k]         = old_position[order[k]];
+        }
+    for (unsigned int far = 0; far <= dim; ++far)
+      {
+        new_number[n_nodes_ + far] = order.size() + far;
+        position_.push_back(old_position[n_nodes_ + far]);
+      }
+    n_nodes_ = order.size();
+    to_check_.clear();
     for (Cell &cell : cells_)
       for (unsigned int &i : cell.node)
         i = new_number[i];

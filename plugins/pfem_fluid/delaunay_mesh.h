@@ -43,8 +43,11 @@ namespace Breakwater
     /// near a plane become flatter there, in proportion: they go by flips, where they would be inverted by the thousand.
     Report update(const std::vector<Vec<dim>> &position, const std::vector<Vec<dim>> &on_the_way = {});
 
-    /// The nodes have got new numbers: node k was order[k]. Puts the cells into the order of their highest nodes.
+    /// The nodes have got new numbers: node k was order[k], or is new if that is no_node; nodes that do not appear are
+    /// gone. New nodes get their cells in the next update(). Puts the cells into the order of their highest nodes.
     void renumber(const std::vector<unsigned int> &order);
+
+    static constexpr unsigned int no_node = no_cell;
 
     std::size_t n_nodes() const { return n_nodes_; }
 
@@ -96,10 +99,18 @@ namespace Breakwater
     // delaunay_cavity.cc
     bool rebuild_around(unsigned int cell);
     void add_to_cavity(const std::vector<unsigned int> &cells, std::vector<unsigned int> &cavity);
-    bool rebuild_cavity(const std::vector<unsigned int> &cavity, std::vector<unsigned int> &to_add);
+    bool rebuild_cavity(const std::vector<unsigned int> &cavity, std::vector<unsigned int> &to_add,
+                        unsigned int added_node = no_node, unsigned int removed_node = no_node);
+    bool rebuild_cavity_of(unsigned int cell, bool (DelaunayMesh::*belongs)(unsigned int, unsigned int) const,
+                           unsigned int added_node, unsigned int removed_node);
+    bool remove_nodes(const std::vector<char> &is_removed);
+    bool insert_node(unsigned int node);
+    bool holds(unsigned int cell, unsigned int node) const;
+    bool is_in_conflict(unsigned int cell, unsigned int node) const;
 
     std::size_t               n_nodes_        = 0;
     std::size_t               n_hidden_nodes_ = 0; ///< at the place of another node
+    std::vector<unsigned int> new_nodes_;          ///< without cells yet
     std::vector<Vec<dim>>     position_;
     std::vector<Cell>         cells_;
     std::vector<State>        state_;

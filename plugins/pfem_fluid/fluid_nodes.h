@@ -1,6 +1,7 @@
 #pragma once
 
 #include "contacts.h"
+#include "delaunay.h"
 #include "element_passes.h"
 
 #include <breakwater/mesh/quality.h>
@@ -40,6 +41,9 @@ namespace Breakwater
     std::vector<char>     has_cells;        ///< false: isolated, flies ballistically
     std::vector<std::uint8_t> inflow;       ///< the inflow that drives the node, counted from 1; 0: none
 
+    /// Of the node at the last triangulation; no_cell for nodes that are new since then.
+    std::vector<unsigned int> number_in_triangulation;
+
     void resize(const std::size_t size)
     {
       n = size;
@@ -53,6 +57,7 @@ namespace Breakwater
       is_surface.resize(size, 0);
       has_cells.resize(size, 0);
       inflow.resize(size, 0);
+      number_in_triangulation.resize(size, no_cell);
     }
 
     /// Calls visit() with each array that a node takes along through a remesh; the others are made anew.
@@ -67,6 +72,7 @@ namespace Breakwater
       visit(density);
       visit(contacts);
       visit(inflow);
+      visit(number_in_triangulation);
     }
 
     /// Takes nodes away; the others keep their order. What is not carried through a remesh is void then.

@@ -68,8 +68,6 @@ namespace Breakwater
     n_pushed_out_ += record.n_pushed_out;
 
     const bool has_left = let_out(before);
-    if (n_entered > 0 || has_left)
-      triangulation_ = {}; // of other nodes
     if (n_remeshes_ % 20 == 19 || n_entered > 0 || has_left)
       sort_nodes();
     parameters_.openings.find_driven(nodes_);
@@ -211,6 +209,12 @@ namespace Breakwater
         shared = common(shared, near_walls[i]);
       return !shared.empty() && longest_edge<dim>(x) <= 1.9 * largest_size;
     };
+    std::vector<unsigned int> numbers(nodes_.n);
+    std::iota(numbers.begin(), numbers.end(), 0u);
+    if (nodes_.number_in_triangulation != numbers)
+      triangulation_.renumber(nodes_.number_in_triangulation);
+    nodes_.number_in_triangulation = numbers;
+
     // Along walls there are layers of flat cells, between nodes that have just left the wall and others on it. Half way
     // they are pressed flat.
     std::vector<Vec<dim>> pressed;
@@ -386,8 +390,6 @@ namespace Breakwater
         values[k] = old[order[k]];
     };
     nodes_.visit_carried(permute);
-    if (triangulation_.n_nodes() == nodes_.n)
-      triangulation_.renumber(order);
   }
 
 

@@ -255,3 +255,50 @@ TYPED_TEST(DelaunayMeshTest, StaysExactWhenNodesGetNewNumbers)
     }));
   expect_exact_repair(triangulation, position);
 }
+
+
+TYPED_TEST(DelaunayMeshTest, StaysExactWhenNodesComeAndGo)
+{
+  constexpr int dim           = TypeParam::value;
+  auto          position      = jittered_box<dim>(0.2, 1);
+  auto          triangulation = triangulation_of<dim>(position);
+  Noise         noise(7);
+  for (unsigned int time = 0; time < 5; ++time)
+    {
+      // Every hundredth node goes, walls included; others come, between the rest in number.
+      std::vector<Vec<dim>>     changed;
+      std::vector<unsigned int> order;
+      for (unsigned int i = 0; i < position.size(); ++i)
+        {
+          if (i % 100 != 13 * time)
+            {
+              changed.push_back(position[i]);
+              order.push_back(i);
+            }
+          if (i % 120 == 5)
+            {
+              changed.push_back(position[i] + 0.3 * spacing * noise.vec<dim>());
+              order.push_back(DelaunayMesh<dim>::no_node);
+            }
+        }
+      position = changed;
+      shake(position, 0.005 * spacing, noise);
+      triangulation.renumber(order);
+      EXPECT_EQ(triangulation.n_nodes(), position.size());
+      expect_exact_repair(triangulation, position);
+    }
+}
+
+
+TYPED_TEST(DelaunayMeshTest, StartsAnewWhenManyNodesChange)
+{
+  constexpr int             dim           = TypeParam::value;
+  auto                      position      = jittered_box<dim>(0.2, 1);
+  auto                      triangulation = triangulation_of<dim>(position);
+  std::vector<unsigned int> order;
+  position.resize(position.size() / 2);
+  for (unsigned int i = 0; i < position.size(); ++i)
+    order.push_back(i);
+  triangulation.renumber(order);
+  expect_new_triangulation(triangulation, position);
+}
