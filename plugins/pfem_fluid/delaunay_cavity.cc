@@ -246,22 +246,26 @@ namespace Breakwater
   template <int dim>
   bool DelaunayMesh<dim>::remove_nodes(const std::vector<char> &is_removed)
   {
+    if (std::find(is_removed.begin(), is_removed.end(), 1) == is_removed.end())
+      return true;
     std::vector<unsigned int> cell_of(n_nodes_, no_cell);
     for (unsigned int c = 0; c < cells_.size(); ++c)
       for (const unsigned int i : cells_[c].node)
         if (i < n_nodes_)
           cell_of[i] = c;
     for (unsigned int i = 0; i < n_nodes_; ++i)
-      if (is_removed[i])
+      if (is_removed[i] && has_cells_[i])
         {
           // The cell may have gone with another node.
           unsigned int c = cell_of[i];
-          if (c == no_cell || !holds(c, i))
+          if (!holds(c, i))
             for (c = 0; c < cells_.size() && !holds(c, i); ++c)
               ;
           if (c == cells_.size() || !rebuild_cavity_of(c, &DelaunayMesh::holds, no_node, i))
             return false;
+          has_cells_[i] = 0;
         }
+    to_check_.clear(); // what surrounds the place of a node is right
     return true;
   }
 
@@ -290,7 +294,10 @@ namespace Breakwater
               }
           }
       }
-    return is_there && rebuild_cavity_of(c, &DelaunayMesh::is_in_conflict, node, no_node);
+    if (!is_there || !rebuild_cavity_of(c, &DelaunayMesh::is_in_conflict, node, no_node))
+      return false;
+    has_cells_[node] = 1;
+    return true;
   }
 
   template class DelaunayMesh<2>;

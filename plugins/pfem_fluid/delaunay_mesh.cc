@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <cstring>
 #include <numeric>
 
 namespace Breakwater
@@ -28,6 +30,36 @@ namespace Breakwater
                  {{-0.97 * size, 1.02 * size, -1.06 * size}},
                  {{-0.99 * size, -1.04 * size, 0.96 * size}}}};
     }
+
+    /// For each node the first one at the same place, mostly itself.
+    template <int dim>
+    std::vector<unsigned int> first_at_place(const std::vector<Vec<dim>> &position)
+    {
+      // A hash table of node numbers, twice as large as it need be.
+      std::size_t size = 1;
+      while (size < 2 * position.size())
+        size *= 2;
+      std::vector<unsigned int> table(size, no_cell), first(position.size());
+      for (unsigned int i = 0; i < position.size(); ++i)
+        {
+          std::uint64_t hash = 0;
+          for (int d = 0; d < dim; ++d)
+            {
+              const double  x = position[i][d] + 0.; // no negative zero
+              std::uint64_t bits;
+              std::memcpy(&bits, &x, sizeof(bits));
+              hash = (hash ^ bits) * 0x9e3779b97f4a7c15u;
+              hash ^= hash >> 32;
+            }
+          std::size_t place = hash & (size - 1);
+          while (table[place] != no_cell && norm(position[table[place]] - position[i]) > 0)
+            place = (place + 1) & (size - 1);
+          if (table[place] == no_cell)
+            table[place] = i;
+          first[i] = table[place];
+        }
+      return first;
+    }
   } // namespace
 
 
@@ -41,23 +73,26 @@ namespace Breakwater
   template <int dim>
   void DelaunayMesh<dim>::rebuild(const std::vector<Vec<dim>> &position)
   {
-    const auto far = far_nodes(position);
-    n_nodes_       = position.size();
-    position_      = position;
+    const auto far   = far_nodes(position);
+    const auto first = first_at_place(position);
+    n_nodes_         = position.size();
+    position_        = position;
     position_.insert(position_.end(), far.begin(), far.end());
     cells_ = delaunay(position_);
+    has_cells_.assign(n_nodes_, 0);
+    for (Cell &cell : cells_)
+      for (unsigned int &i : cell.node)
+        if (i < n_nodes_)
+          {
+            i             = first[i];
+            has_cells_[i] = 1;
+          }
     state_.assign(cells_.size(), State::positive);
     unused_.clear();
     sort_cells();
     to_check_.clear();
     stuck_.clear();
-    std::vector<char> is_used(position_.size(), 0);
-    for (const Cell &cell : cells_)
-      for (const unsigned int i : cell.node)
-        is_used[i] = 1;
-    new_nodes_.clear();
-    n_hidden_nodes_ = std::count(is_used.begin(), is_used.end(), 0);
-    report_         = {};
+    report_ = {};
   }
 
 
@@ -65,14 +100,33 @@ namespace Breakwater
   typename DelaunayMesh<dim>::Report DelaunayMesh<dim>::update(const std::vector<Vec<dim>> &position,
                                                                const std::vector<Vec<dim>> &on_the_way)
   {
-    // A node at the place of another has no cells to be repaired.
-    if (n_hidden_nodes_ > 0 || !is_framed(position))
-      {
-        rebuild(position);
-        return report_;
-      }
+    if (!is_framed(position) || !repair(position, on_the_way))
+      rebuild(position);
+    return report_;
+  }
+
+
+  template <int dim>
+  bool DelaunayMesh<dim>::repair(const std::vector<Vec<dim>> &position, const std::vector<Vec<dim>> &on_the_way)
+  {
     report_         = {};
     report_.is_full = false;
+
+    // Of nodes at one place only the first has cells.
+    const auto                first = first_at_place(position);
+    std::vector<char>         is_hidden(n_nodes_, 0);
+    std::vector<unsigned int> inserted;
+    std::size_t               n_changes = 0;
+    for (unsigned int i = 0; i < n_nodes_; ++i)
+      {
+        is_hidden[i] = first[i] != i;
+        if (!is_hidden[i] && !has_cells_[i])
+          inserted.push_back(i);
+        n_changes += is_hidden[i] == has_cells_[i];
+      }
+    if (is_too_much(n_changes) || !remove_nodes(is_hidden))
+      return false;
+
     if (!on_the_way.empty())
       move_to(on_the_way);
     move_to(position);
@@ -82,22 +136,14 @@ namespace Breakwater
         stuck_.clear();
         for (const Facet &facet : seeds)
           if (needs_flip(facet) && !rebuild_around(facet.cell))
-            {
-              rebuild(position);
-              return report_;
-            }
+            return false;
         flip_all();
       }
-    const std::vector<unsigned int> new_nodes = new_nodes_;
-    new_nodes_.clear();
-    for (const unsigned int node : new_nodes)
-      if (!insert_node(node))
-        {
-          rebuild(position);
-          return report_;
-        }
+    for (const unsigned int i : inserted)
+      if (!insert_node(i))
+        return false;
     to_check_.clear(); // what surrounds an inserted node is right
-    return report_;
+    return true;
   }
 
 
@@ -217,20 +263,21 @@ namespace Breakwater
   template <int dim>
   void DelaunayMesh<dim>::renumber(const std::vector<unsigned int> &order)
   {
-    std::vector<char> is_removed(n_nodes_, 1);
-    new_nodes_.clear();
+    std::vector<char> is_removed(n_nodes_, 1), has_cells(order.size(), 0);
     for (unsigned int k = 0; k < order.size(); ++k)
-      if (order[k] == no_node)
-        new_nodes_.push_back(k);
-      else
-        is_removed[order[k]] = 0;
-    // Each such node costs as much as some 25 of a new triangulation.
-    const std::size_t n_changes = new_nodes_.size() + std::count(is_removed.begin(), is_removed.end(), 1);
-    if (n_hidden_nodes_ > 0 || 25 * n_changes > n_nodes_ || !remove_nodes(is_removed))
+      if (order[k] != no_node)
+        {
+          is_removed[order[k]] = 0;
+          has_cells[k]         = has_cells_[order[k]];
+        }
+    const std::size_t n_changes =
+      std::count(order.begin(), order.end(), no_node) + std::count(is_removed.begin(), is_removed.end(), 1);
+    if (is_too_much(n_changes) || !remove_nodes(is_removed))
       {
         *this = {};
         return;
       }
+    has_cells_.swap(has_cells);
 
     std::vector<unsigned int>   new_number(position_.size());
     const std::vector<Vec<dim>> old_position = position_;

@@ -72,9 +72,13 @@ namespace Breakwater
     };
     struct CavityBoundary;
 
+    /// A node to take out or put in costs as much as some 25 of a new triangulation.
+    bool is_too_much(const std::size_t n_changes) const { return 25 * n_changes > n_nodes_; }
+
     // delaunay_mesh.cc
     void         sort_cells(); ///< by their highest nodes
     bool         is_framed(const std::vector<Vec<dim>> &position) const;
+    bool         repair(const std::vector<Vec<dim>> &position, const std::vector<Vec<dim>> &on_the_way);
     void         move_to(const std::vector<Vec<dim>> &position);
     void         find_bad_facets(const std::vector<char> &has_moved);
     Simplex<dim> corners_of(const std::array<unsigned int, dim + 1> &node) const;
@@ -108,9 +112,9 @@ namespace Breakwater
     bool holds(unsigned int cell, unsigned int node) const;
     bool is_in_conflict(unsigned int cell, unsigned int node) const;
 
-    std::size_t               n_nodes_        = 0;
-    std::size_t               n_hidden_nodes_ = 0; ///< at the place of another node
-    std::vector<unsigned int> new_nodes_;          ///< without cells yet
+    std::size_t               n_nodes_ = 0;
+    std::vector<char>         has_cells_; ///< of the nodes: not those that are new or at the place of another
+    std::vector<unsigned int> new_nodes_; ///< without cells yet
     std::vector<Vec<dim>>     position_;
     std::vector<Cell>         cells_;
     std::vector<State>        state_;

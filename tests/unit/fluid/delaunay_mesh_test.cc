@@ -218,7 +218,7 @@ TYPED_TEST(DelaunayMeshTest, IsExactAfterMotionThatFlipsCannotFollow)
 }
 
 
-TYPED_TEST(DelaunayMeshTest, StartsAnewWithAnotherNumberOfNodesOrTwoAtOnePlace)
+TYPED_TEST(DelaunayMeshTest, StartsAnewWithAnotherNumberOfNodes)
 {
   constexpr int     dim      = TypeParam::value;
   auto              position = jittered_box<dim>(0.2, 1);
@@ -226,10 +226,20 @@ TYPED_TEST(DelaunayMeshTest, StartsAnewWithAnotherNumberOfNodesOrTwoAtOnePlace)
   expect_new_triangulation(triangulation, position);
   position.pop_back();
   expect_new_triangulation(triangulation, position);
-  position[5] = position[6];
-  triangulation.update(position);
-  position[5][0] += 0.1 * spacing;
-  expect_new_triangulation(triangulation, position);
+}
+
+
+TYPED_TEST(DelaunayMeshTest, RepairsWhenNodesMeetAtAPlaceAndPart)
+{
+  constexpr int dim           = TypeParam::value;
+  const auto    position      = jittered_box<dim>(0.2, 1);
+  auto          triangulation = triangulation_of<dim>(position);
+  auto          met           = position;
+  met[5] = met[17] = met[6];
+  met[40]          = met[2];
+  expect_exact_repair(triangulation, met);
+  expect_exact_repair(triangulation, met);
+  expect_exact_repair(triangulation, position);
 }
 
 
