@@ -63,7 +63,7 @@ namespace Breakwater
       }
     result.received_mass     = received_.mass;
     result.received_momentum = received_.momentum + parameters_.openings.driving_impulse();
-    result.received_energy   = received_.energy() + parameters_.openings.driving_work();
+    result.received_energy   = received_.energy() + parameters_.openings.driving_work() + parameters_.walls.work();
     return result;
   }
 
@@ -71,7 +71,7 @@ namespace Breakwater
   template <int dim>
   double PfemFluid<dim>::own_energy(const DomainBalance<dim> &balance) const
   {
-    return balance.energy() - balance.received_energy - interface_work_ - parameters_.walls.work();
+    return balance.energy() - balance.received_energy - interface_work_;
   }
 
 

@@ -100,7 +100,7 @@ namespace Breakwater
 
     DomainBalance<dim> node_balance(std::size_t node) const;
 
-    /// Energy of the fluid less what the interface's link forces and moving walls gave it [J].
+    /// Energy of the fluid less what openings, moving walls and the interface's link forces gave it [J].
     double own_energy(const DomainBalance<dim> &balance) const;
 
     PfemParameters<dim>    parameters_;

@@ -61,6 +61,14 @@ namespace Breakwater
     unsigned int              n_patches() const { return is_flat_.size(); }
     bool                      is_flat(const unsigned int patch) const { return is_flat_[patch]; }
 
+    /// Of a flat patch, towards x if there is fluid on both sides.
+    Vec<dim> flat_normal(const unsigned int patch, const Vec<dim> &x) const
+    {
+      const Vec<dim> &normal = normal_[first_piece_[patch]];
+      const bool      behind = side_ == FluidSide::both && dot(normal, x - pieces_[first_piece_[patch]][0]) < 0;
+      return behind ? -1. * normal : normal;
+    }
+
     /// The corners of a box around the surface [m].
     std::vector<Vec<dim>> bounding_box() const;
 
@@ -103,7 +111,8 @@ namespace Breakwater
 
     std::vector<Piece>        pieces_;
     std::vector<Vec<dim>>     normal_;
-    std::vector<unsigned int> patch_; ///< of the pieces
+    std::vector<unsigned int> patch_;       ///< of the pieces
+    std::vector<unsigned int> first_piece_; ///< of the patches
     std::vector<char>         is_flat_;
     FluidSide                 side_;
 

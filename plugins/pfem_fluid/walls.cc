@@ -8,7 +8,8 @@
 #include <algorithm>
 #include <cmath>
 
-// Parameters, motion, and what the walls tell of themselves; what they do to nodes and cells: wall_contact.cc.
+// Parameters, motion, and what the walls tell of themselves; what they do to nodes and cells:
+// wall_contact.cc, wall_cells.cc.
 
 namespace Breakwater
 {
