@@ -104,6 +104,8 @@ namespace Breakwater
     void   make_grid();
     double winding(const Vec<dim> &x, const std::vector<unsigned int> &pieces) const;
 
+    bool nearest_within(const Vec<dim> &x, double reach, unsigned int patch, Foot &foot) const;
+
     /// Calls visit(piece) for the pieces near the box from lower to upper, some of them several times.
     /// @return false as soon as visit does
     template <class Visitor>

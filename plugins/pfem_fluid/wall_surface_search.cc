@@ -120,6 +120,15 @@ namespace Breakwater
   template <int dim>
   bool WallSurface<dim>::nearest(const Vec<dim> &x, const double reach, const unsigned int patch, Foot &foot) const
   {
+    // Most places that are asked about lie close to the surface.
+    return nearest_within(x, 0.1 * reach, patch, foot) || nearest_within(x, reach, patch, foot);
+  }
+
+
+  template <int dim>
+  bool WallSurface<dim>::nearest_within(const Vec<dim> &x, const double reach, const unsigned int patch,
+                                        Foot &foot) const
+  {
     Vec<dim> lower = x, upper = x;
     for (int d = 0; d < dim; ++d)
       {
@@ -131,7 +140,8 @@ namespace Breakwater
     visit_near(lower, upper, [&](const unsigned int p) {
       if (patch != n_patches() && patch_[p] != patch)
         return true;
-      if (std::abs(dot(normal_[p], x - pieces_[p][0])) > foot.distance)
+      const double least = std::abs(dot(normal_[p], x - pieces_[p][0]));
+      if (least > foot.distance || (found && least == foot.distance))
         return true;
       double   weights[dim];
       Vec<dim> place;
