@@ -52,7 +52,7 @@ namespace Breakwater
     std::vector<unsigned int> cavity, to_add = {cell};
     // The cavity grows where the new triangulation of its nodes disagrees with the cells around it. Beyond a part of the
     // whole, the whole is cheaper.
-    while (cavity.size() + report_.n_rebuilt_cells < cells_.size() / 10)
+    while (cavity.size() + report_.n_rebuilt_cells < cells_.size() / 20)
       {
         if (to_add.empty())
           to_add = cavity;

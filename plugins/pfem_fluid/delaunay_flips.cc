@@ -52,8 +52,8 @@ namespace Breakwater
       return false;
     if (state_[facet.cell] != State::positive || state_[neighbor] != State::positive)
       return true;
-    const unsigned int q = cells_[neighbor].node[corner_towards(neighbor, facet.cell)];
-    return Circumsphere<dim>(corners_of(cells_[facet.cell].node)).contains(position_[q]);
+    const Cell &cell = cells_[facet.cell];
+    return Circumsphere<dim>(corners_of(cell.node)).contains(position_[node_across(cell, facet.opposite)]);
   }
 
 
@@ -143,7 +143,7 @@ namespace Breakwater
         // Edge ab between c in cell A and d in cell B becomes edge cd.
         const unsigned int A = facet.cell, B = cells_[A].neighbor[facet.opposite];
         const unsigned int a = cells_[A].node[(facet.opposite + 1) % 3], b = cells_[A].node[(facet.opposite + 2) % 3],
-                           c = cells_[A].node[facet.opposite], d = cells_[B].node[corner_towards(B, A)];
+                           c = cells_[A].node[facet.opposite], d = node_across(cells_[A], facet.opposite);
         if (orientation({a, d, c}) <= 0 || orientation({d, b, c}) <= 0)
           return false;
         constexpr Facet none{no_cell, 0};
@@ -165,7 +165,7 @@ namespace Breakwater
         const unsigned int  A = facet.cell, B = cells_[A].neighbor[facet.opposite];
         const unsigned int *corner = facet_corners[facet.opposite];
         const unsigned int  f[3]   = {cells_[A].node[corner[0]], cells_[A].node[corner[1]], cells_[A].node[corner[2]]};
-        const unsigned int  d = cells_[A].node[facet.opposite], e = cells_[B].node[corner_towards(B, A)];
+        const unsigned int  d = cells_[A].node[facet.opposite], e = node_across(cells_[A], facet.opposite);
         constexpr Facet     none{no_cell, 0};
 
         // Cell i of those around a new edge de holds the edge (f_i, f_i+1).

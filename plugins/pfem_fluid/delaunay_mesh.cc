@@ -163,15 +163,13 @@ namespace Breakwater
   template <int dim>
   void DelaunayMesh<dim>::find_bad_facets(const std::vector<char> &has_moved)
   {
-    const auto moves = [&](const unsigned int cell) {
-      char result = 0;
-      for (const unsigned int i : cells_[cell].node)
-        result |= has_moved[i];
-      return result != 0;
-    };
+    std::vector<char> moves(cells_.size(), 0); // the cells
+    for (unsigned int c = 0; c < cells_.size(); ++c)
+      for (const unsigned int i : cells_[c].node)
+        moves[c] |= has_moved[i];
     for (unsigned int c = 0; c < cells_.size(); ++c)
       {
-        if (!moves(c))
+        if (!moves[c])
           continue;
         const Cell             &cell = cells_[c];
         const Circumsphere<dim> sphere(corners_of(cell.node));
@@ -184,11 +182,21 @@ namespace Breakwater
               continue;
             // Between positive cells, one side's sphere tells.
             if (!is_positive ||
-                ((neighbor > c || !moves(neighbor)) &&
-                 !sphere.is_surely_outside(position_[cells_[neighbor].node[corner_towards(neighbor, c)]])))
+                ((neighbor > c || !moves[neighbor]) && !sphere.is_surely_outside(position_[node_across(cell, a)])))
               to_check_.push_back({c, a});
           }
       }
+  }
+
+
+  template <int dim>
+  unsigned int DelaunayMesh<dim>::node_across(const Cell &cell, const unsigned int corner) const
+  {
+    // The exclusive or of all numbers, as those on the facet come twice.
+    unsigned int node = cell.node[corner];
+    for (unsigned int a = 0; a <= dim; ++a)
+      node ^= cell.node[a] ^ cells_[cell.neighbor[corner]].node[a];
+    return node;
   }
 
 

@@ -87,6 +87,7 @@ namespace Breakwater
     void         delete_cell(unsigned int cell);
     unsigned int corner_towards(unsigned int cell, unsigned int neighbor) const;
     unsigned int corner_at(unsigned int cell, unsigned int node) const;
+    unsigned int node_across(const Cell &cell, unsigned int corner) const; ///< of the neighbor opposite to a corner
 
     // delaunay_flips.cc
     void  flip_all();

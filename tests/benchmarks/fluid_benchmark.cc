@@ -126,17 +126,23 @@ namespace
     });
   }
 
-  /// The nodes go to and fro by a hundredth of state.range(1) spacings against their neighbours, in waves of 20.
+  /// The nodes go to and fro in waves of about 20 spacings, by about state.range(1) hundredths of a spacing against
+  /// their neighbours; those on the sides of the cube stay on them.
   void triangulation_repair(benchmark::State &state)
   {
-    Cloud                    &c           = cloud(state.range(0));
-    const double              wave_number = 2 * 3.14159265358979 / (20 * Cloud::spacing);
-    const double              amplitude   = 0.01 * state.range(1) / wave_number;
-    const std::vector<Vec<3>> start       = c.position;
-    std::vector<Vec<3>>       moved       = start;
-    for (Vec<3> &x : moved)
+    Cloud                    &c     = cloud(state.range(0));
+    const std::vector<Vec<3>> start = c.position;
+    std::vector<Vec<3>>       moved = start;
+    double                    side  = 0;
+    for (const Vec<3> &x : start)
+      side = std::max(side, x[0]);
+    const double wave_number = 2 * 3.14159265358979 * std::round(side / (20 * Cloud::spacing)) / side;
+    const double amplitude   = 0.01 * state.range(1) / wave_number;
+    for (std::size_t i = 0; i < start.size(); ++i)
       for (int d = 0; d < 3; ++d)
-        x[d] += amplitude * std::sin(wave_number * x[(d + 1) % 3]) * std::cos(wave_number * x[(d + 2) % 3]);
+        if (start[i][d] != 0 && start[i][d] != side)
+          moved[i][d] +=
+            amplitude * std::sin(wave_number * start[i][d]) * std::cos(wave_number * start[i][(d + 1) % 3]);
     c.triangulation.rebuild(start);
     std::size_t n_flips = 0, n_full = 0;
     bool        is_moved = false;
