@@ -190,13 +190,17 @@ namespace Breakwater
         for (int d = 0; d < dim; ++d)
           nodes_.a[i][d] = nodes_.force[i][d] / mass + body(i)[d];
       }
+    const bool allows_tension = parameters_.tension == "allowed";
     for (std::size_t i = nodes_.n_interface; i < nodes_.n; ++i)
       {
         for (int d = 0; d < dim; ++d)
           nodes_.a[i][d] = nodes_.force[i][d] / nodes_.mass[i] + body(i)[d];
         const double slip_rate =
           nodes_.slip_conductance.empty() ? 0. : effects_.viscosity * nodes_.slip_conductance[i] / nodes_.mass[i];
-        walls.constrain(nodes_.xp[i].c, nodes_.a[i].c, nodes_.v[i].c, nodes_.mass[i], slip_rate, nodes_.contacts[i]);
+        // A fluid that bears tension hangs on its walls.
+        const bool may_release = !allows_tension || !nodes_.has_cells[i];
+        walls.constrain(nodes_.xp[i].c, nodes_.a[i].c, nodes_.v[i].c, nodes_.mass[i], slip_rate, may_release,
+                        nodes_.contacts[i]);
       }
   }
 

@@ -90,7 +90,7 @@ namespace Breakwater
     mesh_smoothers.declare_parameters(reader);
     reader.add("Tension", tension,
                "Whether the pressure may fall below zero: `none` for violent flow, `allowed` for calm flow in which "
-               "suction matters.",
+               "suction matters; walls that the fluid has touched then hold it.",
                {"none", "allowed"});
     initial_state.declare(reader);
     walls.declare_parameters(reader);

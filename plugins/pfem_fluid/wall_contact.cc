@@ -279,21 +279,22 @@ namespace Breakwater
 
   template <int dim>
   void Walls<dim>::constrain(const double *x, double *a, double *v, const double mass, const double slip_rate,
-                             Contacts &contacts)
+                             const bool may_release, Contacts &contacts)
   {
     if (contacts.empty())
       return;
     if (contacts.are_below(n_aligned_))
-      constrain_along_axes(x, a, v, mass, contacts);
+      constrain_along_axes(x, a, v, mass, may_release, contacts);
     else
-      constrain_generally(x, a, v, mass, contacts);
+      constrain_generally(x, a, v, mass, may_release, contacts);
     if (slip_rate > 0)
       rub(x, a, v, mass, slip_rate, contacts);
   }
 
 
   template <int dim>
-  void Walls<dim>::constrain_along_axes(const double *x, double *a, double *v, const double mass, Contacts &contacts)
+  void Walls<dim>::constrain_along_axes(const double *x, double *a, double *v, const double mass,
+                                        const bool may_release, Contacts &contacts)
   {
     Wall          *sticking = nullptr;
     const Contacts held     = contacts;
@@ -303,7 +304,7 @@ namespace Breakwater
         const Face &face = faces_[f];
         Wall       &wall = walls_[face.wall];
         const int   d    = face.direction;
-        if (face.sign * a[d] > 0)
+        if (may_release && face.sign * a[d] > 0)
           {
             contacts.remove(f);
             continue;
@@ -329,7 +330,8 @@ namespace Breakwater
 
 
   template <int dim>
-  void Walls<dim>::constrain_generally(const double *x, double *a, double *v, const double mass, Contacts &contacts)
+  void Walls<dim>::constrain_generally(const double *x, double *a, double *v, const double mass, const bool may_release,
+                                       Contacts &contacts)
   {
     Wall           *sticking = nullptr;
     const Contacts  held     = contacts;
@@ -350,7 +352,7 @@ namespace Breakwater
         Wall          &wall = walls_[face.wall];
         Vec<dim>       normal;
         const Vec<dim> acceleration = vec<dim>(a) - acceleration_at(wall, place);
-        if (!normal_at(face, place, normal) || dot(normal, acceleration) > 0)
+        if (!normal_at(face, place, normal) || (may_release && dot(normal, acceleration) > 0))
           {
             contacts.remove(f);
             continue;

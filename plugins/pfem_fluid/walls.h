@@ -74,9 +74,11 @@ namespace Breakwater
     bool stop(const Vec<dim> &x_old, double *x, double *v, double mass, Contacts &contacts);
 
     /// Takes from a node in contact what the walls take: acceleration into them (or, without slip, all of it against
-    /// them). A wall that the acceleration points away from is released.
+    /// them).
     /// @param slip_rate k of the friction -k u on walls with Navier slip, u the velocity along them [1/s]
-    void constrain(const double *x, double *a, double *v, double mass, double slip_rate, Contacts &contacts);
+    /// @param may_release whether a wall that the acceleration points away from lets go; else it pulls
+    void constrain(const double *x, double *a, double *v, double mass, double slip_rate, bool may_release,
+                   Contacts &contacts);
 
     /// Takes the components of a vector that contacts do not let pass (both senses).
     void mask(const double *x, double *vector, const Contacts &contacts) const;
@@ -198,8 +200,8 @@ namespace Breakwater
     void stop_at_surface(const Surface &surface, const Vec<dim> &x_old, double *x, double *v, double mass,
                          Contacts &contacts);
     void take_velocity(const Face &face, const Vec<dim> &normal, const Vec<dim> &x, double *v, double mass);
-    void constrain_along_axes(const double *x, double *a, double *v, double mass, Contacts &contacts);
-    void constrain_generally(const double *x, double *a, double *v, double mass, Contacts &contacts);
+    void constrain_along_axes(const double *x, double *a, double *v, double mass, bool may_release, Contacts &contacts);
+    void constrain_generally(const double *x, double *a, double *v, double mass, bool may_release, Contacts &contacts);
     void rub(const double *x, double *a, const double *v, double mass, double slip_rate, const Contacts &contacts);
 
     /// Calls take(wall, component) for each part of a vector that contacts do not let pass, and takes it away.

@@ -168,7 +168,7 @@ TEST(Walls, ConstrainHoldsWhatIsPressedOn)
   Walls<2> walls = tank<2>("free slip");
   double   a[2] = {7., -9.81}, v[2] = {2., -1e-3};
   Contacts contacts = contacts_of({bottom});
-  walls.constrain(origin, a, v, 1., 0., contacts);
+  walls.constrain(origin, a, v, 1., 0., true, contacts);
   EXPECT_EQ(a[0], 7.);
   EXPECT_EQ(a[1], 0.);
   EXPECT_EQ(v[0], 2.);
@@ -182,7 +182,7 @@ TEST(Walls, ConstrainReleasesWhatIsPulledAway)
   Walls<2> walls = tank<2>("free slip");
   double   a[2] = {7., 1.}, v[2] = {2., 0.};
   Contacts contacts = contacts_of({bottom, right}); // the right wall's inside is at smaller x: 7 presses on
-  walls.constrain(origin, a, v, 1., 0., contacts);
+  walls.constrain(origin, a, v, 1., 0., true, contacts);
   EXPECT_EQ(a[0], 0.);
   EXPECT_EQ(a[1], 1.);
   EXPECT_EQ(v[0], 0.);
@@ -195,7 +195,7 @@ TEST(Walls, ConstrainWithoutContactChangesNothing)
   Walls<2> walls = tank<2>("no slip");
   double   a[2] = {7., -1.}, v[2] = {2., -3.};
   Contacts contacts;
-  walls.constrain(origin, a, v, 1., 0., contacts);
+  walls.constrain(origin, a, v, 1., 0., true, contacts);
   EXPECT_EQ(a[1], -1.);
   EXPECT_EQ(v[1], -3.);
 }
@@ -206,16 +206,29 @@ TEST(Walls, ConstrainWithoutSlipHoldsAllDirectionsUntilRelease)
   Walls<3> walls = tank<3>("no slip");
   double   a[3] = {7., -1., 5.}, v[3] = {2., 0., 1.};
   Contacts contacts = contacts_of({bottom});
-  walls.constrain(origin, a, v, 1., 0., contacts);
+  walls.constrain(origin, a, v, 1., 0., true, contacts);
   for (int d = 0; d < 3; ++d)
     {
       EXPECT_EQ(a[d], 0.);
       EXPECT_EQ(v[d], 0.);
     }
   double away[3] = {7., 1., 5.};
-  walls.constrain(origin, away, v, 1., 0., contacts);
+  walls.constrain(origin, away, v, 1., 0., true, contacts);
   EXPECT_TRUE(contacts.empty());
   EXPECT_EQ(away[0], 7.);
+}
+
+
+TEST(Walls, ConstrainPullsWhereItMayNotRelease)
+{
+  Walls<2> walls = tank<2>("free slip");
+  double   a[2] = {7., 1.}, v[2] = {2., 3.};
+  Contacts contacts = contacts_of({bottom});
+  walls.constrain(origin, a, v, 1., 0., false, contacts);
+  EXPECT_EQ(a[0], 7.);
+  EXPECT_EQ(a[1], 0.);
+  EXPECT_EQ(v[1], 0.);
+  EXPECT_EQ(contacts, contacts_of({bottom}));
 }
 
 
@@ -249,7 +262,7 @@ TEST(Walls, ObliquePlaneTakesItsNormalPart)
   EXPECT_NEAR(v[0], -0.5, 1e-15);
   EXPECT_NEAR(v[1], 0.5, 1e-15);
   double a[2] = {-2., 0.};
-  walls.constrain(x, a, v, 1., 0., contacts);
+  walls.constrain(x, a, v, 1., 0., true, contacts);
   EXPECT_NEAR(a[0], -1., 1e-15);
   EXPECT_NEAR(a[1], 1., 1e-15);
 }
@@ -285,7 +298,7 @@ TEST(Walls, NodeOnAnAcceleratedWallFollowsIt)
           a[d] = d == 0 ? -50 : 7; // pressed on more than the wall ever draws away
         }
       walls.stop(x_old, x, v, 2., contacts);
-      walls.constrain(x, a, v, 2., 0., contacts);
+      walls.constrain(x, a, v, 2., 0., true, contacts);
       walls.begin_forces();
       for (int d = 0; d < 2; ++d)
         v[d] += 0.5 * dt * a[d];
@@ -319,7 +332,7 @@ TEST(Walls, ForceActsForItsDuration)
   Walls<2> walls = wall_of<2>({{"Shape", "open box(0, 0; 1, 1)"}});
   double   x[2] = {0.5, 0.}, v[2] = {0, 0}, a[2] = {3., -9.};
   Contacts contacts = walls.faces_at({{0.5, 0.}}, 0.);
-  walls.constrain(x, a, v, 2., 0., contacts);
+  walls.constrain(x, a, v, 2., 0., true, contacts);
   EXPECT_NEAR(history_of(walls, 0., "force on Tank y [N]"), -18., 1e-14) << "without time, the force itself";
   walls.act(0.1);
   EXPECT_NEAR(history_of(walls, 0.2, "force on Tank y [N]"), -9., 1e-14);
@@ -374,7 +387,7 @@ TEST(Walls, NavierSlipIsSteadyAtForceOverFriction)
       v[0] += 0.5 * dt * a[0];
       a[0] = 2;
       a[1] = -1;
-      walls.constrain(x, a, v, 1., k, contacts);
+      walls.constrain(x, a, v, 1., k, true, contacts);
       v[0] += 0.5 * dt * a[0];
       walls.finish_step();
     }
