@@ -209,6 +209,7 @@ namespace Breakwater
       read_binary(stream, value);
     };
     visit_nodes(nodes_, mesh_, visit);
+    nodes_.number_in_triangulation.assign(nodes_.n, no_cell); // it is still that of the initial state: make it anew
     Openings<dim>::visit_state(parameters_.openings, visit);
     parameters_.openings.find_driven(nodes_);
     visit(received_);
