@@ -44,19 +44,38 @@ namespace Breakwater
     /// Of the node at the last triangulation; no_cell for nodes that are new since then.
     std::vector<unsigned int> number_in_triangulation;
 
+    /// Calls visit with every array of one entry per node, of these nodes or constant ones.
+    template <class Nodes, class Visitor>
+    static void visit_arrays(Nodes &nodes, const Visitor &visit)
+    {
+      visit(nodes.xp);
+      visit(nodes.v);
+      visit(nodes.a);
+      visit(nodes.force);
+      visit(nodes.density_slope);
+      visit(nodes.mass);
+      visit(nodes.base_density);
+      visit(nodes.density);
+      visit(nodes.volume);
+      visit(nodes.reference_volume);
+      visit(nodes.stiffness_volume);
+      visit(nodes.companion_mass);
+      visit(nodes.hydrostatic_slope);
+      visit(nodes.position_at_remesh);
+      visit(nodes.contacts);
+      visit(nodes.walls);
+      visit(nodes.slip_conductance);
+      visit(nodes.is_surface);
+      visit(nodes.has_cells);
+      visit(nodes.inflow);
+    }
+
     void resize(const std::size_t size)
     {
       n = size;
-      for (auto *quads : {&xp, &v, &a, &force, &density_slope, &position_at_remesh})
-        quads->resize(size);
-      for (auto *doubles : {&mass, &base_density, &density, &volume, &reference_volume, &stiffness_volume,
-                            &companion_mass, &hydrostatic_slope})
-        doubles->resize(size, 0.);
-      contacts.resize(size);
-      walls.resize(size);
-      is_surface.resize(size, 0);
-      has_cells.resize(size, 0);
-      inflow.resize(size, 0);
+      visit_arrays(*this, [size](auto &values) {
+        values.resize(size);
+      });
       number_in_triangulation.resize(size, no_cell);
     }
 

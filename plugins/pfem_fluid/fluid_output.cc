@@ -152,26 +152,7 @@ namespace Breakwater
     {
       visit(nodes.n);
       visit(nodes.n_interface);
-      visit(nodes.xp);
-      visit(nodes.v);
-      visit(nodes.a);
-      visit(nodes.force);
-      visit(nodes.density_slope);
-      visit(nodes.mass);
-      visit(nodes.base_density);
-      visit(nodes.density);
-      visit(nodes.volume);
-      visit(nodes.reference_volume);
-      visit(nodes.stiffness_volume);
-      visit(nodes.companion_mass);
-      visit(nodes.hydrostatic_slope);
-      visit(nodes.position_at_remesh);
-      visit(nodes.contacts);
-      visit(nodes.walls);
-      visit(nodes.slip_conductance);
-      visit(nodes.is_surface);
-      visit(nodes.has_cells);
-      visit(nodes.inflow);
+      Nodes::visit_arrays(nodes, visit);
       visit(mesh.cells);
       visit(mesh.boundary);
     }

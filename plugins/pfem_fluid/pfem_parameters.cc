@@ -98,6 +98,10 @@ namespace Breakwater
     {
       SectionScope scope(reader, "Remeshing");
       reader.add("Alpha", alpha, "Cells with a circumradius up to alpha times the spacing are fluid [-].", {1., 2.});
+      reader.add("Smallest distance", node_limits.smallest_distance,
+                 "Neighbouring nodes that come closer than this times the spacing are merged [-]; 0: none.", {0., 0.6});
+      reader.add("Longest edge", node_limits.longest_edge,
+                 "An edge longer than this times the spacing gets a node in its middle [-]; 0: none.", {0., 4.});
       reader.add("Largest strain", largest_strain,
                  "Remesh when a node has moved against its cell by this fraction of the spacing [-].", {0.01, 0.5});
     }

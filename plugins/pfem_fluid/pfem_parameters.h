@@ -1,6 +1,7 @@
 #pragma once
 
 #include "fluid_shape.h"
+#include "node_management.h"
 #include "openings.h"
 #include "shapes.h"
 #include "size_field.h"
@@ -55,8 +56,9 @@ namespace Breakwater
     Walls<dim>                     walls;
     Openings<dim>                  openings;
 
-    double       alpha                    = 1.4;
-    double       largest_strain           = 0.2;
+    double       alpha          = 1.4;
+    double       largest_strain = 0.2;
+    NodeLimits   node_limits;
     double       softening                = 12.;
     double       density_diffusion        = 0.5;
     double       filter_weight            = 0.2;

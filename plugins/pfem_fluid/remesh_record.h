@@ -1,5 +1,6 @@
 #pragma once
 
+#include "node_management.h"
 #include "pfem_fluid.h"
 
 #include <limits>
@@ -24,5 +25,6 @@ namespace Breakwater
     double                             smoothing_seconds     = 0;
     double                             transfer_seconds      = 0;
     unsigned int                       n_pushed_out          = 0;
+    NodeChanges                        node_changes;
   };
 } // namespace Breakwater

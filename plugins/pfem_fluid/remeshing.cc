@@ -67,6 +67,8 @@ namespace Breakwater
     record.n_pushed_out = adopted_.push_out(nodes_, 2 * parameters_.spacing, impulse);
     n_pushed_out_ += record.n_pushed_out;
 
+    record.node_changes = manage_nodes<dim>(nodes_, mesh_.cells, parameters_.size, parameters_.walls, reference_density,
+                                            parameters_.node_limits);
     const bool has_left = let_out(before);
     if (n_remeshes_ % 20 == 19 || n_entered > 0 || has_left)
       sort_nodes();
@@ -483,6 +485,8 @@ namespace Breakwater
                {"nodes [-]", static_cast<double>(nodes_.n)},
                {"cells [-]", static_cast<double>(mesh_.cells.size())},
                {"isolated nodes [-]", static_cast<double>(n_isolated)},
+               {"removed nodes [-]", static_cast<double>(record.node_changes.n_removed)},
+               {"inserted nodes [-]", static_cast<double>(record.node_changes.n_inserted)},
                {"softened nodes [-]", static_cast<double>(n_softened_)},
                {"insphere bound before smoothing [s]", record.quality_before.smallest_radius / c},
                {"insphere bound [s]", record.quality_after.smallest_radius / c},

@@ -1,0 +1,203 @@
+#include "node_management.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <tuple>
+
+namespace Breakwater
+{
+  namespace
+  {
+    /// Other nodes than this [spacings] away from the place of a new one: with fewer it would soon be merged again.
+    constexpr double clearance = 0.5;
+    /// Least mass of a new node, in units of a regular node's.
+    constexpr double least_mass = 0.5;
+
+    /// An edge of one cell, and the cell.
+    struct Edge
+    {
+      unsigned int first, second; ///< first < second
+      unsigned int cell;
+      double       square; ///< of the length [m^2]
+
+      bool is_same(const Edge &other) const { return first == other.first && second == other.second; }
+    };
+
+    template <int dim>
+    class NodeManager
+    {
+    public:
+      using Cells = std::vector<typename SimplexMesh<dim>::Cell>;
+
+      NodeManager(FluidNodes<dim> &nodes, const Cells &cells, const SizeField<dim> &size, Walls<dim> &walls,
+                  const double reference_density, const NodeLimits &limits)
+        : nodes_(nodes)
+        , cells_(cells)
+        , size_(size)
+        , walls_(walls)
+        , reference_density_(reference_density)
+        , limits_(limits)
+        , is_changed_(nodes.n, 0)
+        , is_removed_(nodes.n, 0)
+      {
+      }
+
+      NodeChanges run()
+      {
+        find_edges();
+        NodeChanges changes;
+        std::sort(close_.begin(), close_.end(), [](const Edge &a, const Edge &b) {
+          return std::tie(a.square, a.first, a.second) < std::tie(b.square, b.first, b.second);
+        });
+        for (const Edge &edge : close_)
+          changes.n_removed += merge(edge);
+
+        std::sort(long_.begin(), long_.end(), [](const Edge &a, const Edge &b) {
+          return std::tie(b.square, a.first, a.second, a.cell) < std::tie(a.square, b.first, b.second, b.cell);
+        });
+        for (auto begin = long_.begin(); begin != long_.end();)
+          {
+            const auto end = std::find_if(begin, long_.end(), [&](const Edge &edge) {
+              return !edge.is_same(*begin);
+            });
+            changes.n_inserted += split(begin, end);
+            begin = end;
+          }
+        if (changes.n_removed > 0)
+          nodes_.remove(is_removed_);
+        return changes;
+      }
+
+    private:
+      void find_edges()
+      {
+        for (unsigned int c = 0; c < cells_.size(); ++c)
+          {
+            const Simplex<dim> x     = nodes_.corners(cells_[c]);
+            const double       h     = size_(x[0]);
+            const double       close = std::pow(limits_.smallest_distance * h, 2);
+            const double       far   = limits_.longest_edge > 0 ? std::pow(limits_.longest_edge * h, 2) :
+                                                                  std::numeric_limits<double>::infinity();
+            for (int a = 1; a <= dim; ++a)
+              for (int b = 0; b < a; ++b)
+                {
+                  const Vec<dim> e      = x[a] - x[b];
+                  const double   square = dot(e, e);
+                  if (square >= close && square <= far)
+                    continue;
+                  const auto [first, second] = std::minmax(cells_[c][a], cells_[c][b]);
+                  if (!nodes_.is_driven(first) && !nodes_.is_driven(second))
+                    (square < close ? close_ : long_).push_back({first, second, c, square});
+                }
+          }
+      }
+
+      /// How firmly a node belongs to its place.
+      int rank(const unsigned int i) const
+      {
+        return 2 * static_cast<int>(nodes_.walls[i].end() - nodes_.walls[i].begin()) + nodes_.is_surface[i];
+      }
+
+      bool merge(const Edge &edge)
+      {
+        if (is_changed_[edge.first] || is_changed_[edge.second])
+          return false;
+        const bool         first_stays = rank(edge.first) >= rank(edge.second);
+        const unsigned int stays       = first_stays ? edge.first : edge.second,
+                           goes        = first_stays ? edge.second : edge.first;
+        const double mass = nodes_.mass[stays] + nodes_.mass[goes], part = nodes_.mass[goes] / mass;
+        const auto   mix = [&](double &value, const double other) {
+          value += part * (other - value);
+        };
+        for (int d = 0; d < dim; ++d)
+          {
+            mix(nodes_.v[stays][d], nodes_.v[goes][d]);
+            mix(nodes_.a[stays][d], nodes_.a[goes][d]);
+            if (rank(stays) == rank(goes))
+              mix(nodes_.xp[stays][d], nodes_.xp[goes][d]);
+          }
+        nodes_.density[stays] =
+          mass / (nodes_.mass[stays] / nodes_.density[stays] + nodes_.mass[goes] / nodes_.density[goes]);
+        nodes_.mass[stays] = mass;
+        is_changed_[stays] = is_changed_[goes] = is_removed_[goes] = 1;
+        return true;
+      }
+
+      /// Splits an edge, given as its appearances in the cells around.
+      bool split(const std::vector<Edge>::const_iterator begin, const std::vector<Edge>::const_iterator end)
+      {
+        const Vec<dim> place = 0.5 * (nodes_.position(begin->first) + nodes_.position(begin->second));
+        const double   h     = size_(place);
+        donors_.clear();
+        for (auto edge = begin; edge != end; ++edge)
+          for (const unsigned int i : cells_[edge->cell])
+            {
+              if (is_changed_[i] || norm(nodes_.position(i) - place) < clearance * h)
+                return false;
+              if (!nodes_.is_driven(i) && std::find(donors_.begin(), donors_.end(), i) == donors_.end())
+                donors_.push_back(i);
+            }
+        const double part = 1. / (donors_.size() + 1);
+        double       mass = 0, volume = 0;
+        Vec<dim>     momentum, acceleration;
+        for (const unsigned int i : donors_)
+          {
+            const double given = part * nodes_.mass[i];
+            mass += given;
+            volume += given / nodes_.density[i];
+            momentum += given * nodes_.velocity(i);
+            acceleration += given * FluidNodes<dim>::vec(nodes_.a[i]);
+          }
+        if (mass < least_mass * reference_density_ * regular_volume<dim>(h))
+          return false;
+        for (const unsigned int i : donors_)
+          {
+            nodes_.mass[i] *= 1 - part;
+            is_changed_[i] = 1;
+          }
+
+        const std::size_t i = nodes_.n;
+        nodes_.resize(i + 1);
+        is_removed_.push_back(0);
+        nodes_.mass[i]    = mass;
+        nodes_.density[i] = mass / volume;
+        for (int d = 0; d < dim; ++d)
+          {
+            nodes_.xp[i][d] = place[d];
+            nodes_.v[i][d]  = momentum[d] / mass;
+            nodes_.a[i][d]  = acceleration[d] / mass;
+          }
+        nodes_.contacts[i] = common(nodes_.contacts[begin->first], nodes_.contacts[begin->second]);
+        Quad unused;
+        walls_.stop(nodes_.position(begin->first), nodes_.xp[i].c, unused.c, 0., nodes_.contacts[i]);
+        return true;
+      }
+
+      FluidNodes<dim>          &nodes_;
+      const Cells              &cells_;
+      const SizeField<dim>     &size_;
+      Walls<dim>               &walls_;
+      const double              reference_density_;
+      const NodeLimits          limits_;
+      std::vector<Edge>         close_, long_;
+      std::vector<char>         is_changed_; ///< a node changes once per call
+      std::vector<char>         is_removed_;
+      std::vector<unsigned int> donors_;
+    };
+  } // namespace
+
+
+  template <int dim>
+  NodeChanges manage_nodes(FluidNodes<dim> &nodes, const std::vector<typename SimplexMesh<dim>::Cell> &cells,
+                           const SizeField<dim> &size, Walls<dim> &walls, const double reference_density,
+                           const NodeLimits &limits)
+  {
+    return NodeManager<dim>(nodes, cells, size, walls, reference_density, limits).run();
+  }
+
+  template NodeChanges manage_nodes<2>(FluidNodes<2> &, const std::vector<SimplexMesh<2>::Cell> &, const SizeField<2> &,
+                                       Walls<2> &, double, const NodeLimits &);
+  template NodeChanges manage_nodes<3>(FluidNodes<3> &, const std::vector<SimplexMesh<3>::Cell> &, const SizeField<3> &,
+                                       Walls<3> &, double, const NodeLimits &);
+} // namespace Breakwater
