@@ -312,49 +312,54 @@ namespace Breakwater
           }
       }
 
-      template <int dim, bool all_active>
-      void exchange_requests_of(const unsigned int *cells, const std::size_t n_cells, const double *cell_weight,
-                                const double *excess_density, const double *active, Quad *request, double *given)
+      template <int dim>
+      void exchange_operator(const unsigned int *cells, const std::size_t n_cells, const double *cell_weight,
+                             const double *psi, const double *active, double *image)
       {
         for (std::size_t c = 0; c < n_cells; ++c)
           {
             const unsigned int *cell = cells + c * (dim + 1);
-            double              e[dim + 1], is_active[dim + 1], sum = 0, n = 0;
+            double              n = 0, sum = 0;
             for (int a = 0; a <= dim; ++a)
               {
-                e[a]         = excess_density[cell[a]];
-                is_active[a] = all_active ? 1. : active[cell[a]];
-                sum += is_active[a] * e[a];
-                n += is_active[a];
+                n += active[cell[a]];
+                sum += active[cell[a]] * psi[cell[a]];
               }
             const double mean = n > 0 ? sum / n : 0.;
-            V4           z    = all(0.);
-            if constexpr (dim == 2)
-              z = V4{is_active[0] * (mean - e[0]), is_active[1] * (mean - e[1]), is_active[2] * (mean - e[2]), 0.};
-            else
-              z = V4{is_active[0] * (mean - e[0]), is_active[1] * (mean - e[1]), is_active[2] * (mean - e[2]),
-                     is_active[3] * (mean - e[3])};
-            z *= all(cell_weight[c]);
-            store(request[c], z);
-            const V4 donated = z < all(0.) ? -z : all(0.);
             for (int a = 0; a <= dim; ++a)
-              given[cell[a]] += donated[a];
+              image[cell[a]] += cell_weight[c] * active[cell[a]] * (psi[cell[a]] - mean);
           }
       }
 
       template <int dim>
       void exchange_requests(const unsigned int *cells, const std::size_t n_cells, const double *cell_weight,
-                             const double *excess_density, const double *active, Quad *request, double *given)
+                             const double *psi, const double *active, Quad *request, double *given, double *taken)
       {
-        if (active == nullptr)
-          exchange_requests_of<dim, true>(cells, n_cells, cell_weight, excess_density, active, request, given);
-        else
-          exchange_requests_of<dim, false>(cells, n_cells, cell_weight, excess_density, active, request, given);
+        for (std::size_t c = 0; c < n_cells; ++c)
+          {
+            const unsigned int *cell = cells + c * (dim + 1);
+            V4                  e = all(0.), is_active = all(0.);
+            for (int a = 0; a <= dim; ++a)
+              {
+                e[a]         = psi[cell[a]];
+                is_active[a] = active[cell[a]];
+              }
+            const V4     weighted = e * is_active;
+            const double n        = is_active[0] + is_active[1] + is_active[2] + is_active[3];
+            const double sum      = weighted[0] + weighted[1] + weighted[2] + weighted[3];
+            const V4     z        = all(cell_weight[c]) * is_active * (all(n > 0 ? sum / n : 0.) - e);
+            store(request[c], z);
+            for (int a = 0; a <= dim; ++a)
+              {
+                given[cell[a]] += z[a] < 0 ? -z[a] : 0.;
+                taken[cell[a]] += z[a] > 0 ? z[a] : 0.;
+              }
+          }
       }
 
       template <int dim>
       void exchange_transfers(const unsigned int *cells, const std::size_t n_cells, const Quad *request,
-                              const double *part, const Quad *v, Quad *received)
+                              const double *part, const double *turnover, const Quad *v, Quad *received)
       {
         for (std::size_t c = 0; c < n_cells; ++c)
           {
@@ -362,29 +367,27 @@ namespace Breakwater
             const V4            z       = load(request[c]);
             const V4            donated = z < all(0.) ? -z : all(0.);
             const V4            taken   = z > all(0.) ? z : all(0.);
-            V4                  total   = all(0.); // momentum that is given, and mass in the fourth lane
-            V4                  u[dim + 1], parts = all(1.);
+            V4                  from = all(0.), to = all(0.); // velocity of donors and receivers times mass, and mass
+            V4                  u[dim + 1];
+            double              scale = 1, upwind = 0;
             for (int a = 0; a <= dim; ++a)
               {
                 u[a] = load(v[cell[a]]);
-                total += all(donated[a]) * u[a];
-                parts[a] = part[cell[a]];
+                from += all(donated[a]) * u[a];
+                to += all(taken[a]) * u[a];
+                const double p = donated[a] > 0 ? part[cell[a]] : 1., t = turnover[cell[a]];
+                scale  = p < scale ? p : scale;
+                upwind = t > upwind ? t : upwind;
               }
-            if (!(total[3] > 0))
+            if (!(from[3] > 0 && to[3] > 0))
               continue;
-            // The least part of a donor.
-            parts              = donated > all(0.) ? parts : all(1.);
-            V4 least           = __builtin_shuffle(parts, I4{1, 0, 3, 2});
-            least              = parts < least ? parts : least;
-            const V4 swap      = __builtin_shuffle(least, I4{2, 3, 0, 1});
-            least              = swap < least ? swap : least;
-            const double scale = least[0] < 1. ? least[0] : 1.;
-            // Donors keep their velocity: what they give leaves with it. Receivers mix in the donors' mean velocity.
-            const V4 share = all(scale / total[3]) * total;
+            const double own = 0.5 + 0.5 * (upwind < 1 ? upwind : 1.); // the donor's part in the velocity carried over
+            const V4     mean_from = all((1 - own) / to[3]) * to, mean_to = all(own / from[3]) * from;
             for (int a = 0; a <= dim; ++a)
               {
                 Quad &sum = received[cell[a]];
-                store(sum, load(sum) + all(taken[a]) * share - all(scale * donated[a]) * u[a]);
+                store(sum, load(sum) + all(scale * taken[a]) * (mean_to + all(1 - own) * u[a]) -
+                             all(scale * donated[a]) * (all(own) * u[a] + mean_from));
               }
           }
       }
@@ -425,6 +428,7 @@ namespace Breakwater
         shear_rates<dim>,
         velocity_gradients<dim>,
         filter_impulses<dim>,
+        exchange_operator<dim>,
         exchange_requests<dim>,
         exchange_transfers<dim>,
         largest_relative_displacement<dim>};

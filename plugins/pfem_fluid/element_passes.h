@@ -51,14 +51,19 @@ namespace Breakwater
     void (*filter_impulses)(const unsigned int *cells, std::size_t n_cells, const FilterWeights &weights,
                             const Quad *xp, const Quad *v, const Quad *gradient, const double *node_density,
                             const double *inverse_mass, Quad *impulse);
-    /// First half of a sweep of the mass exchange: `request` [cell][corner] is what each corner would get,
-    /// -weight (e_a - mean e) over the corners that take part (`active` 1, else 0; null: all); `given` adds up what nodes give.
+    /// Adds the operator of the mass exchange: weight (psi_a - mean psi) over the corners that take part (`active` 1,
+    /// else 0).
+    void (*exchange_operator)(const unsigned int *cells, std::size_t n_cells, const double *cell_weight,
+                              const double *psi, const double *active, double *image);
+    /// First half of the mass exchange: `request` [cell][corner] is what each corner would get,
+    /// -weight (psi_a - mean psi) over the corners that take part; `given` and `taken` add up what nodes give and get.
     void (*exchange_requests)(const unsigned int *cells, std::size_t n_cells, const double *cell_weight,
-                              const double *excess_density, const double *active, Quad *request, double *given);
-    /// Second half: moves the requested mass, scaled by the least `part` of the cell's donors. `v` has 1 in its fourth
-    /// component; `received` gets momentum, and mass in the fourth.
+                              const double *psi, const double *active, Quad *request, double *given, double *taken);
+    /// Second half: moves the requested mass, scaled by the least `part` of the cell's donors. The velocity that goes
+    /// with it is (1 + t) / 2 of the donor's and (1 - t) / 2 of the receiver's, t the largest `turnover` of the cell's
+    /// corners, at most 1. `v` has 1 in its fourth component; `received` gets momentum, and mass in the fourth.
     void (*exchange_transfers)(const unsigned int *cells, std::size_t n_cells, const Quad *request, const double *part,
-                               const Quad *v, Quad *received);
+                               const double *turnover, const Quad *v, Quad *received);
     double (*largest_relative_displacement)(const unsigned int *cells, std::size_t n_cells, const Quad *x,
                                             const Quad *x0);
   };

@@ -1,8 +1,10 @@
 #include "node_management.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <tuple>
 
 namespace Breakwater
@@ -46,6 +48,7 @@ namespace Breakwater
       NodeChanges run()
       {
         find_edges();
+        find_isolated_pairs();
         NodeChanges changes;
         std::sort(close_.begin(), close_.end(), [](const Edge &a, const Edge &b) {
           return std::tie(a.square, a.first, a.second) < std::tie(b.square, b.first, b.second);
@@ -91,6 +94,56 @@ namespace Breakwater
                     (square < close ? close_ : long_).push_back({first, second, c, square});
                 }
           }
+      }
+
+      /// Pairs of a node without cells and another one, found by buckets as large as the smallest distance.
+      void find_isolated_pairs()
+      {
+        const double size = limits_.smallest_distance * size_.largest();
+        if (!(size > 0))
+          return;
+        using Bucket      = std::array<long, dim>;
+        const auto bucket = [&](const unsigned int i) {
+          Bucket result;
+          for (int d = 0; d < dim; ++d)
+            result[d] = static_cast<long>(std::floor(nodes_.xp[i][d] / size));
+          return result;
+        };
+        std::map<Bucket, std::vector<unsigned int>> isolated;
+        for (unsigned int i = nodes_.n_interface; i < nodes_.n; ++i)
+          if (!nodes_.has_cells[i] && !nodes_.is_driven(i))
+            isolated[bucket(i)].push_back(i);
+        if (isolated.empty())
+          return;
+        for (unsigned int i = nodes_.n_interface; i < nodes_.n; ++i)
+          if (!nodes_.is_driven(i))
+            {
+              const Bucket at = bucket(i);
+              Bucket       near;
+              for (int k = 0; k < (dim == 2 ? 9 : 27); ++k)
+                {
+                  for (int d = 0, rest = k; d < dim; ++d, rest /= 3)
+                    near[d] = at[d] + rest % 3 - 1;
+                  const auto found = isolated.find(near);
+                  if (found == isolated.end())
+                    continue;
+                  for (const unsigned int j : found->second)
+                    if (i != j && (nodes_.has_cells[i] || i < j))
+                      add_pair(std::min(i, j), std::max(i, j));
+                }
+            }
+      }
+
+      void add_pair(const unsigned int first, const unsigned int second)
+      {
+        const Vec<dim> e = nodes_.position(second) - nodes_.position(first);
+        if (norm(e) >= limits_.smallest_distance * size_(nodes_.position(first)))
+          return;
+        Simplex<dim> edge; // no edge through a thin wall
+        edge.fill(nodes_.position(first));
+        edge[1] = nodes_.position(second);
+        if (!walls_.any_has_surface() || !walls_.separate(edge))
+          close_.push_back({first, second, 0, dot(e, e)});
       }
 
       /// How firmly a node belongs to its place.

@@ -24,7 +24,8 @@ namespace Breakwater
     bool any() const { return n_removed + n_inserted > 0; }
   };
 
-  /// Merges pairs of nodes that have come too close and inserts nodes on edges that have become too long.
+  /// Merges pairs of nodes that have come too close and inserts nodes on edges that have become too long. Pairs are
+  /// neighbours in a cell, or nodes without cells (which gather in corners, also at the same place) and any other.
   ///
   /// A pair becomes one node with the mass and momentum of both. It stays where the one that belongs to more walls, or
   /// to the surface, was; of two of a kind, at their centre of mass. A new node goes to the middle of its edge unless

@@ -140,7 +140,14 @@ namespace Breakwater
                  "Conjugate gradient iterations of the position correction at a remesh; 0: no correction.");
       reader.add("Correction weight", correction_weight, "Part of the missing volume corrected at a remesh [-].",
                  {0., 1.});
-      reader.add("Exchange sweeps", exchange_sweeps, "Sweeps of the mass exchange at a remesh; 0: no exchange.");
+      reader.add("Exchange iterations", exchange.n_iterations,
+                 "Conjugate gradient iterations of the mass exchange at a remesh, at most; 0: no exchange.");
+      reader.add("Exchange reach", exchange.reach,
+                 "Excess mass inside spreads over the square root of this many nodes [-].", Range::positive());
+      reader.add("Exchange reach at the surface", exchange.reach_at_surface,
+                 "The same for nodes of the free surface [-].", Range::positive());
+      reader.add("Exchange tolerance", exchange.tolerance,
+                 "Relative rms of the nodes' excess mass at which the iterations end [-].", Range::positive());
       reader.add("Centroid shift", centroid_shift,
                  "Part of the way to its patch's centroid that an interior node is moved at a remesh [-].", {0., 0.5});
     }

@@ -5,6 +5,7 @@
 #include "openings.h"
 #include "shapes.h"
 #include "size_field.h"
+#include "volume_conservation.h"
 #include "walls.h"
 
 #include <breakwater/base/expression.h>
@@ -56,20 +57,20 @@ namespace Breakwater
     Walls<dim>                     walls;
     Openings<dim>                  openings;
 
-    double       alpha          = 1.4;
-    double       largest_strain = 0.2;
-    NodeLimits   node_limits;
-    double       softening                = 12.;
-    double       density_diffusion        = 0.5;
-    double       filter_weight            = 0.2;
-    unsigned int filter_period            = 5;
-    double       divergence_filter_weight = 1.5;
-    double       cell_stiffness           = 3.;
-    double       centroid_shift           = 0.1;
-    unsigned int correction_iterations    = 5;
-    double       correction_weight        = 0.3;
-    unsigned int exchange_sweeps          = 8;
-    double       largest_mach_number      = 1.;
+    double          alpha          = 1.4;
+    double          largest_strain = 0.2;
+    NodeLimits      node_limits;
+    double          softening                = 12.;
+    double          density_diffusion        = 0.5;
+    double          filter_weight            = 0.2;
+    unsigned int    filter_period            = 5;
+    double          divergence_filter_weight = 1.5;
+    double          cell_stiffness           = 3.;
+    double          centroid_shift           = 0.1;
+    unsigned int    correction_iterations    = 5;
+    double          correction_weight        = 0.3;
+    ExchangeControl exchange;
+    double          largest_mach_number = 1.;
 
     PfemParameters();
     void declare(ParameterReader &reader);

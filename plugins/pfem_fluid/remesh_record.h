@@ -25,6 +25,7 @@ namespace Breakwater
     double                             smoothing_seconds     = 0;
     double                             transfer_seconds      = 0;
     unsigned int                       n_pushed_out          = 0;
+    unsigned int                       n_exchange_iterations = 0;
     NodeChanges                        node_changes;
   };
 } // namespace Breakwater

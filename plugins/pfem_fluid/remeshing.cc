@@ -90,7 +90,8 @@ namespace Breakwater
         nodes_.base_density[i] = at_surface ? std::max(nodes_.density[i], reference_density) : nodes_.density[i];
         nodes_.density[i]      = nodes_.base_density[i];
       }
-    exchange_mass<dim>(nodes_, mesh_.cells, reference_density, parameters_.spacing, parameters_.exchange_sweeps);
+    record.n_exchange_iterations =
+      exchange_mass<dim>(nodes_, mesh_.cells, reference_density, parameters_.spacing, parameters_.exchange);
     set_references();
     update_pressure();
 
@@ -504,6 +505,7 @@ namespace Breakwater
                {"triangulation [CPU s]", record.triangulation_seconds},
                {"smoothing [CPU s]", record.smoothing_seconds},
                {"transfer [CPU s]", record.transfer_seconds},
+               {"exchange iterations [-]", static_cast<double>(record.n_exchange_iterations)},
                {"volume correction scale [-]", record.correction_scale},
                {"nodes put back out of structures [-]", static_cast<double>(record.n_pushed_out)},
                {"mass change [kg]", after.mass - before.mass},

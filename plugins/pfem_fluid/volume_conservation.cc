@@ -205,57 +205,6 @@ namespace Breakwater
 
 
   template <int dim>
-  void exchange_mass(FluidNodes<dim> &nodes, const std::vector<typename SimplexMesh<dim>::Cell> &cells,
-                     const double reference_density, const double spacing, const unsigned int n_sweeps)
-  {
-    if (cells.empty())
-      return;
-    const double         regular    = regular_volume<dim>(spacing);
-    const double         least_mass = 0.05 * reference_density * regular;
-    const ElementPasses &passes     = element_passes<dim>();
-    std::vector<double>  cell_weight(cells.size()), excess_density(nodes.n), active(nodes.n), given(nodes.n);
-    std::vector<Quad>    request(cells.size()), received(nodes.n);
-    for (std::size_t c = 0; c < cells.size(); ++c)
-      cell_weight[c] = std::abs(signed_volume(nodes.corners(cells[c]))) / (2 * (dim + 1));
-    for (std::size_t i = 0; i < nodes.n; ++i)
-      active[i] = nodes.is_driven(i) ? 0. : 1.;
-    if (std::find(active.begin(), active.end(), 0.) == active.end())
-      active.clear(); // all take part
-    for (Quad &v : nodes.v)
-      v[3] = 1;
-
-    for (unsigned int sweep = 0; sweep < n_sweeps; ++sweep)
-      {
-        for (std::size_t i = 0; i < nodes.n; ++i)
-          excess_density[i] =
-            (nodes.mass[i] - nodes.density[i] * nodes.volume[i]) / std::max(nodes.volume[i], 0.1 * regular);
-        std::fill(given.begin(), given.end(), 0.);
-        std::fill(received.begin(), received.end(), Quad());
-        passes.exchange_requests(cells.front().data(), cells.size(), cell_weight.data(), excess_density.data(),
-                                 active.empty() ? nullptr : active.data(), request.data(), given.data());
-        // From here on: the part of what it would give that a node may give.
-        for (std::size_t i = 0; i < nodes.n; ++i)
-          {
-            const double allowed = std::max(0., 0.5 * (nodes.mass[i] - least_mass));
-            given[i]             = given[i] > allowed ? allowed / given[i] : 1.;
-          }
-        passes.exchange_transfers(cells.front().data(), cells.size(), request.data(), given.data(), nodes.v.data(),
-                                  received.data());
-        for (std::size_t i = nodes.n_interface; i < nodes.n; ++i)
-          if (nodes.has_cells[i])
-            {
-              const double new_mass = nodes.mass[i] + received[i][3];
-              for (int d = 0; d < dim; ++d)
-                nodes.v[i][d] = (nodes.mass[i] * nodes.v[i][d] + received[i][d]) / new_mass;
-              nodes.mass[i] = new_mass;
-            }
-      }
-    for (Quad &v : nodes.v)
-      v[3] = 0;
-  }
-
-
-  template <int dim>
   double interior_volume_deficit(const FluidNodes<dim> &nodes)
   {
     double volume = 0, wanted = 0;
@@ -273,8 +222,6 @@ namespace Breakwater
   template std::vector<Quad> volume_correction<dim>(const FluidNodes<dim> &,                                           \
                                                     const std::vector<SimplexMesh<dim>::Cell> &, const Walls<dim> &,   \
                                                     double, double, double, unsigned int);                             \
-  template void   exchange_mass<dim>(FluidNodes<dim> &, const std::vector<SimplexMesh<dim>::Cell> &, double, double,   \
-                                   unsigned int);                                                                    \
   template double interior_volume_deficit<dim>(const FluidNodes<dim> &);
   BREAKWATER_INSTANTIATE(2)
   BREAKWATER_INSTANTIATE(3)

@@ -24,14 +24,6 @@ namespace Breakwater
                                       const Walls<dim> &walls, double reference_density, double spacing, double weight,
                                       unsigned int n_iterations);
 
-  /// Exchanges mass, with its momentum, between neighbours on a new mesh until mass / volume is smooth:
-  /// `n_sweeps` of a diffusion of (m - rho V) / V over all cells, surface included, interface nodes left out.
-  /// Donors keep their velocity, receivers mix in the donors'; mass and momentum are exact, kinetic energy can only
-  /// fall. A donor gives at most half of what it has above 5 % of the mass of a regular node.
-  template <int dim>
-  void exchange_mass(FluidNodes<dim> &nodes, const std::vector<typename SimplexMesh<dim>::Cell> &cells,
-                     double reference_density, double spacing, unsigned int n_sweeps);
-
   /// Interior deficit 1 - sum V_i / sum (m_i / rho_i) [-] over the nodes with cells that are on neither the free
   /// surface nor the interface: how much too tightly the interior is packed.
   template <int dim>

@@ -1,0 +1,176 @@
+#include "mass_exchange.h"
+
+#include "kernels.h"
+
+#include <breakwater/mesh/quality.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace Breakwater
+{
+  namespace
+  {
+    template <int dim>
+    class MassExchange
+    {
+    public:
+      using Cells = std::vector<typename SimplexMesh<dim>::Cell>;
+
+      MassExchange(FluidNodes<dim> &nodes, const Cells &cells, const double reference_density, const double spacing,
+                   const ExchangeControl &control)
+        : nodes_(nodes)
+        , cells_(cells)
+        , control_(control)
+        , least_mass_(0.05 * reference_density * regular_volume<dim>(spacing))
+        , least_volume_(0.1 * regular_volume<dim>(spacing))
+        , cell_weight_(cells.size())
+        , takes_part_(nodes.n)
+        , volume_(nodes.n)
+        , excess_(nodes.n)
+        , psi_(nodes.n)
+        , direction_(nodes.n)
+        , image_(nodes.n)
+      {
+        for (std::size_t c = 0; c < cells.size(); ++c)
+          cell_weight_[c] = std::abs(signed_volume(nodes.corners(cells[c]))) / (2 * (dim + 1));
+      }
+
+      unsigned int run(const std::vector<double> &potential, const double allowed_work)
+      {
+        for (std::size_t i = 0; i < nodes_.n; ++i)
+          {
+            const bool takes_part = nodes_.has_cells[i] && !nodes_.is_driven(i);
+            takes_part_[i]        = takes_part ? 1. : 0.;
+            volume_[i]            = takes_part ? std::max(nodes_.volume[i], least_volume_) : 0.;
+            excess_[i]            = takes_part ? nodes_.mass[i] - nodes_.density[i] * nodes_.volume[i] : 0.;
+          }
+        residual_                 = excess_;
+        unsigned int n_iterations = solve(1. / control_.reach);
+        const double near_work    = work(1. / control_.reach, potential);
+        if (n_iterations == 0)
+          return 0;
+        if (control_.far_reach > control_.reach)
+          {
+            const std::vector<double> near = psi_;
+            for (std::size_t i = 0; i < nodes_.n; ++i)
+              residual_[i] += volume_[i] * (1. / control_.reach - 1. / control_.far_reach) * psi_[i];
+            n_iterations += solve(1. / control_.far_reach);
+            const double far_work = work(1. / control_.far_reach, potential) - near_work;
+            const double part     = std::abs(far_work) > allowed_work ? allowed_work / std::abs(far_work) : 1.;
+            for (std::size_t i = 0; i < nodes_.n; ++i)
+              psi_[i] = near[i] + part * (psi_[i] - near[i]);
+          }
+        carry_out();
+        return n_iterations;
+      }
+
+    private:
+      /// (L + V decay) psi = m - rho V by conjugate gradients with L's diagonal, about V / 2, from psi and its residual.
+      unsigned int solve(const double decay)
+      {
+        const std::size_t n      = nodes_.n;
+        const double      scale  = 1. / (0.5 + decay);
+        double            square = 0, product = 0, square_mass = 0;
+        for (std::size_t i = 0; i < n; ++i)
+          {
+            direction_[i] = volume_[i] > 0 ? scale * residual_[i] / volume_[i] : 0.;
+            product += residual_[i] * direction_[i];
+            square += residual_[i] * residual_[i];
+            square_mass += takes_part_[i] * nodes_.mass[i] * nodes_.mass[i];
+          }
+        const double enough = control_.tolerance * control_.tolerance * square_mass;
+        unsigned int k      = 0;
+        for (; k < control_.n_iterations && square > enough; ++k)
+          {
+            std::fill(image_.begin(), image_.end(), 0.);
+            element_passes<dim>().exchange_operator(cells_.front().data(), cells_.size(), cell_weight_.data(),
+                                                    direction_.data(), takes_part_.data(), image_.data());
+            double curvature = 0;
+            for (std::size_t i = 0; i < n; ++i)
+              {
+                image_[i] += volume_[i] * decay * direction_[i];
+                curvature += direction_[i] * image_[i];
+              }
+            const double step = product / curvature;
+            double       next = 0;
+            square            = 0;
+            for (std::size_t i = 0; i < n; ++i)
+              {
+                psi_[i] += step * direction_[i];
+                residual_[i] -= step * image_[i];
+                square += residual_[i] * residual_[i];
+                image_[i] = volume_[i] > 0 ? scale * residual_[i] / volume_[i] : 0.;
+                next += residual_[i] * image_[i];
+              }
+            for (std::size_t i = 0; i < n; ++i)
+              direction_[i] = image_[i] + next / product * direction_[i];
+            product = next;
+          }
+        return k;
+      }
+
+      /// Change of potential energy by the fluxes L psi [J].
+      double work(const double decay, const std::vector<double> &potential) const
+      {
+        double sum = 0;
+        for (std::size_t i = 0; i < nodes_.n; ++i)
+          sum -= (excess_[i] - residual_[i] - volume_[i] * decay * psi_[i]) * potential[i];
+        return sum;
+      }
+
+      /// The fluxes between the corners of each cell, once, with their momentum.
+      void carry_out()
+      {
+        std::vector<double> part(nodes_.n, 0.), turnover(nodes_.n, 0.);
+        std::vector<Quad>   request(cells_.size()), received(nodes_.n);
+        const auto         &passes = element_passes<dim>();
+        passes.exchange_requests(cells_.front().data(), cells_.size(), cell_weight_.data(), psi_.data(),
+                                 takes_part_.data(), request.data(), part.data(), turnover.data());
+        for (std::size_t i = 0; i < nodes_.n; ++i)
+          {
+            const double allowed = std::max(0., 0.5 * (nodes_.mass[i] - least_mass_));
+            turnover[i]          = nodes_.mass[i] > 0 ? (part[i] + turnover[i]) / nodes_.mass[i] : 0.;
+            part[i]              = part[i] > allowed ? allowed / part[i] : 1.;
+            nodes_.v[i][3]       = 1;
+          }
+        passes.exchange_transfers(cells_.front().data(), cells_.size(), request.data(), part.data(), turnover.data(),
+                                  nodes_.v.data(), received.data());
+        for (std::size_t i = 0; i < nodes_.n; ++i)
+          {
+            nodes_.v[i][3] = 0;
+            if (!(takes_part_[i] > 0))
+              continue;
+            const double new_mass = nodes_.mass[i] + received[i][3];
+            for (int d = 0; d < dim; ++d)
+              nodes_.v[i][d] = (nodes_.mass[i] * nodes_.v[i][d] + received[i][d]) / new_mass;
+            nodes_.mass[i] = new_mass;
+          }
+      }
+
+      FluidNodes<dim>      &nodes_;
+      const Cells          &cells_;
+      const ExchangeControl control_;
+      const double          least_mass_;   ///< that a donor keeps [kg]
+      const double          least_volume_; ///< in the operator [m^dim]
+      std::vector<double>   cell_weight_, takes_part_, volume_, excess_, psi_, residual_, direction_, image_;
+    };
+  } // namespace
+
+
+  template <int dim>
+  unsigned int exchange_mass(FluidNodes<dim> &nodes, const std::vector<typename SimplexMesh<dim>::Cell> &cells,
+                             const std::vector<double> &potential, const double allowed_work,
+                             const double reference_density, const double spacing, const ExchangeControl &control)
+  {
+    if (cells.empty() || control.n_iterations == 0)
+      return 0;
+    return MassExchange<dim>(nodes, cells, reference_density, spacing, control).run(potential, allowed_work);
+  }
+
+  template unsigned int exchange_mass<2>(FluidNodes<2> &, const std::vector<SimplexMesh<2>::Cell> &,
+                                         const std::vector<double> &, double, double, double, const ExchangeControl &);
+  template unsigned int exchange_mass<3>(FluidNodes<3> &, const std::vector<SimplexMesh<3>::Cell> &,
+                                         const std::vector<double> &, double, double, double, const ExchangeControl &);
+} // namespace Breakwater
