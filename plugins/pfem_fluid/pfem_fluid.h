@@ -90,6 +90,7 @@ namespace Breakwater
     void classify_nodes();
     void shift_to_centroids();
     void correct_volumes(double energy, RemeshRecord &record);
+    void exchange(RemeshRecord &record);
     void sort_nodes();
     void set_references();
     void set_cell_stiffness();

@@ -142,10 +142,11 @@ namespace Breakwater
                  {0., 1.});
       reader.add("Exchange iterations", exchange.n_iterations,
                  "Conjugate gradient iterations of the mass exchange at a remesh, at most; 0: no exchange.");
-      reader.add("Exchange reach", exchange.reach,
-                 "Excess mass inside spreads over the square root of this many nodes [-].", Range::positive());
-      reader.add("Exchange reach at the surface", exchange.reach_at_surface,
-                 "The same for nodes of the free surface [-].", Range::positive());
+      reader.add("Exchange reach", exchange.reach, "Excess mass spreads over the square root of this many nodes [-].",
+                 Range::positive());
+      reader.add("Far exchange reach", exchange.far_reach,
+                 "In calm flow it spreads over the square root of this many nodes [-]; 0: no farther than above.",
+                 {0., 1e6});
       reader.add("Exchange tolerance", exchange.tolerance,
                  "Relative rms of the nodes' excess mass at which the iterations end [-].", Range::positive());
       reader.add("Centroid shift", centroid_shift,

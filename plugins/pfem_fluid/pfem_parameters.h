@@ -1,11 +1,11 @@
 #pragma once
 
 #include "fluid_shape.h"
+#include "mass_exchange.h"
 #include "node_management.h"
 #include "openings.h"
 #include "shapes.h"
 #include "size_field.h"
-#include "volume_conservation.h"
 #include "walls.h"
 
 #include <breakwater/base/expression.h>

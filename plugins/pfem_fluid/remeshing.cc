@@ -1,4 +1,5 @@
 #include "alpha_shape.h"
+#include "mass_exchange.h"
 #include "pfem_fluid.h"
 #include "remesh_record.h"
 #include "volume_conservation.h"
@@ -90,8 +91,7 @@ namespace Breakwater
         nodes_.base_density[i] = at_surface ? std::max(nodes_.density[i], reference_density) : nodes_.density[i];
         nodes_.density[i]      = nodes_.base_density[i];
       }
-    record.n_exchange_iterations =
-      exchange_mass<dim>(nodes_, mesh_.cells, reference_density, parameters_.spacing, parameters_.exchange);
+    exchange(record);
     set_references();
     update_pressure();
 
@@ -331,6 +331,27 @@ namespace Breakwater
         parameters_.walls.stop(x, nodes_.xp[i].c, unused.c, 0., nodes_.contacts[i]);
       }
     record.correction_scale = scale;
+  }
+
+
+  template <int dim>
+  void PfemFluid<dim>::exchange(RemeshRecord &record)
+  {
+    /// Work that the far exchange may do at a remesh: what lifts the fluid by this part of a spacing.
+    constexpr double    allowed_lift = 1e-4;
+    std::vector<double> potential(nodes_.n, 0.);
+    double              mass = 0, strongest = 0;
+    for (std::size_t i = 0; i < nodes_.n; ++i)
+      {
+        mass += nodes_.mass[i];
+        for (const auto &force : *body_forces_)
+          potential[i] += force->potential(nodes_.position(i));
+      }
+    for (const Vec<dim> &acceleration : body_acceleration_)
+      strongest = std::max(strongest, norm(acceleration));
+    record.n_exchange_iterations = exchange_mass<dim>(
+      nodes_, mesh_.cells, potential, allowed_lift * parameters_.spacing * mass * strongest,
+      parameters_.equation_of_state.front().reference_density(), parameters_.spacing, parameters_.exchange);
   }
 
 
