@@ -1,11 +1,11 @@
 #include "node_management.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <cstdint>
 #include <limits>
-#include <map>
 #include <tuple>
+#include <unordered_map>
 
 namespace Breakwater
 {
@@ -96,41 +96,37 @@ namespace Breakwater
           }
       }
 
-      /// Pairs of a node without cells and another one, found by buckets as large as the smallest distance.
+      /// Pairs of a node without cells and another one. Buckets are as large as the smallest distance; a node without
+      /// cells stands in its own and all around, so that each other node looks into one.
       void find_isolated_pairs()
       {
         const double size = limits_.smallest_distance * size_.largest();
         if (!(size > 0))
           return;
-        using Bucket      = std::array<long, dim>;
-        const auto bucket = [&](const unsigned int i) {
-          Bucket result;
-          for (int d = 0; d < dim; ++d)
-            result[d] = static_cast<long>(std::floor(nodes_.xp[i][d] / size));
-          return result;
+        const auto bucket = [&](const unsigned int i, const int neighbor) {
+          std::uint64_t key = 0; // 21 bits for each coordinate
+          for (int d = 0, rest = neighbor; d < dim; ++d, rest /= 3)
+            key = key << 21 | (static_cast<std::uint64_t>(
+                                 static_cast<std::int64_t>(std::floor(nodes_.xp[i][d] / size)) + rest % 3 - 1) &
+                               0x1fffff);
+          return key;
         };
-        std::map<Bucket, std::vector<unsigned int>> isolated;
+        constexpr int                                                n_neighbors = dim == 2 ? 9 : 27;
+        std::unordered_map<std::uint64_t, std::vector<unsigned int>> isolated;
         for (unsigned int i = nodes_.n_interface; i < nodes_.n; ++i)
           if (!nodes_.has_cells[i] && !nodes_.is_driven(i))
-            isolated[bucket(i)].push_back(i);
+            for (int k = 0; k < n_neighbors; ++k)
+              isolated[bucket(i, k)].push_back(i);
         if (isolated.empty())
           return;
         for (unsigned int i = nodes_.n_interface; i < nodes_.n; ++i)
           if (!nodes_.is_driven(i))
             {
-              const Bucket at = bucket(i);
-              Bucket       near;
-              for (int k = 0; k < (dim == 2 ? 9 : 27); ++k)
-                {
-                  for (int d = 0, rest = k; d < dim; ++d, rest /= 3)
-                    near[d] = at[d] + rest % 3 - 1;
-                  const auto found = isolated.find(near);
-                  if (found == isolated.end())
-                    continue;
-                  for (const unsigned int j : found->second)
-                    if (i != j && (nodes_.has_cells[i] || i < j))
-                      add_pair(std::min(i, j), std::max(i, j));
-                }
+              const auto found = isolated.find(bucket(i, n_neighbors / 2));
+              if (found != isolated.end())
+                for (const unsigned int j : found->second)
+                  if (i != j && (nodes_.has_cells[i] || i < j))
+                    add_pair(std::min(i, j), std::max(i, j));
             }
       }
 

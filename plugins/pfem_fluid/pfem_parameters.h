@@ -57,7 +57,8 @@ namespace Breakwater
     Walls<dim>                     walls;
     Openings<dim>                  openings;
 
-    double          alpha          = 1.4;
+    double          alpha          = 1.15;
+    double          alpha_of_fluid = 1.4;
     double          largest_strain = 0.2;
     NodeLimits      node_limits;
     double          softening                = 12.;
@@ -65,7 +66,7 @@ namespace Breakwater
     double          filter_weight            = 0.2;
     unsigned int    filter_period            = 5;
     double          divergence_filter_weight = 1.5;
-    double          cell_stiffness           = 3.;
+    double          cell_stiffness           = 1.;
     double          centroid_shift           = 0.1;
     unsigned int    correction_iterations    = 5;
     double          correction_weight        = 0.3;

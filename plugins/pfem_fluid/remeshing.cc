@@ -1,4 +1,5 @@
 #include "alpha_shape.h"
+#include "former_fluid.h"
 #include "mass_exchange.h"
 #include "pfem_fluid.h"
 #include "remesh_record.h"
@@ -198,14 +199,20 @@ namespace Breakwater
     };
     // A flat cell along a wall has a large circumradius only because its nodes have come close to the wall. Without it
     // there would be a free surface at the wall, deep in the fluid, and the pressure would push into the hole.
-    const SizeField<dim> &size = parameters_.size;
-    std::vector<Contacts> near_walls(nodes_.n);
+    const SizeField<dim>  &size = parameters_.size;
+    const FormerFluid<dim> former(mesh_, nodes_.number_in_triangulation);
+    std::vector<Contacts>  near_walls(nodes_.n);
     for (std::size_t i = 0; i < nodes_.n; ++i)
       near_walls[i] = walls.faces_at(position[i], 0.5 * size(position[i]));
     const auto is_small_anyway = [&](const typename SimplexMesh<dim>::Cell &cell) {
       const Simplex<dim> x            = corners(position, cell);
       const double       largest_size = parameters_.alpha * size(x[0]);
       if (!size.is_uniform() && circumradius(x) <= largest_size)
+        return true;
+      const double largest_former = parameters_.alpha_of_fluid * size(x[0]);
+      if (former.had(cell) && circumradius(x) <= largest_former)
+        return true;
+      if (former.had_surface_of(cell) && longest_edge<dim>(x) <= 2 * largest_former)
         return true;
       Contacts shared = near_walls[cell[0]];
       for (const unsigned int i : cell)

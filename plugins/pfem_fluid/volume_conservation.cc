@@ -1,6 +1,5 @@
 #include "volume_conservation.h"
 
-#include "kernels.h"
 
 #include <breakwater/mesh/quality.h>
 
