@@ -33,7 +33,7 @@ namespace Breakwater
       using Cells = std::vector<typename SimplexMesh<dim>::Cell>;
 
       NodeManager(FluidNodes<dim> &nodes, const Cells &cells, const SizeField<dim> &size, Walls<dim> &walls,
-                  const double reference_density, const NodeLimits &limits)
+                  const double reference_density, const NodeLimits<dim> &limits)
         : nodes_(nodes)
         , cells_(cells)
         , size_(size)
@@ -228,7 +228,7 @@ namespace Breakwater
       const SizeField<dim>     &size_;
       Walls<dim>               &walls_;
       const double              reference_density_;
-      const NodeLimits          limits_;
+      const NodeLimits<dim>     limits_;
       std::vector<Edge>         close_, long_;
       std::vector<char>         is_changed_; ///< a node changes once per call
       std::vector<char>         is_removed_;
@@ -240,13 +240,13 @@ namespace Breakwater
   template <int dim>
   NodeChanges manage_nodes(FluidNodes<dim> &nodes, const std::vector<typename SimplexMesh<dim>::Cell> &cells,
                            const SizeField<dim> &size, Walls<dim> &walls, const double reference_density,
-                           const NodeLimits &limits)
+                           const NodeLimits<dim> &limits)
   {
     return NodeManager<dim>(nodes, cells, size, walls, reference_density, limits).run();
   }
 
   template NodeChanges manage_nodes<2>(FluidNodes<2> &, const std::vector<SimplexMesh<2>::Cell> &, const SizeField<2> &,
-                                       Walls<2> &, double, const NodeLimits &);
+                                       Walls<2> &, double, const NodeLimits<2> &);
   template NodeChanges manage_nodes<3>(FluidNodes<3> &, const std::vector<SimplexMesh<3>::Cell> &, const SizeField<3> &,
-                                       Walls<3> &, double, const NodeLimits &);
+                                       Walls<3> &, double, const NodeLimits<3> &);
 } // namespace Breakwater

@@ -9,10 +9,11 @@
 namespace Breakwater
 {
   /// Limits on the distance of neighbouring nodes, in units of the spacing [-]; 0: no limit.
+  template <int dim>
   struct NodeLimits
   {
     double smallest_distance = 0.35;
-    double longest_edge      = 1.8;
+    double longest_edge      = dim == 2 ? 1.8 : 2.;
   };
 
   /// What a call of manage_nodes() did.
@@ -38,5 +39,5 @@ namespace Breakwater
   template <int dim>
   NodeChanges manage_nodes(FluidNodes<dim> &nodes, const std::vector<typename SimplexMesh<dim>::Cell> &cells,
                            const SizeField<dim> &size, Walls<dim> &walls, double reference_density,
-                           const NodeLimits &limits);
+                           const NodeLimits<dim> &limits);
 } // namespace Breakwater

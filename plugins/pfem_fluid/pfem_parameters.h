@@ -60,7 +60,7 @@ namespace Breakwater
     double          alpha          = 1.15;
     double          alpha_of_fluid = 1.4;
     double          largest_strain = 0.2;
-    NodeLimits      node_limits;
+    NodeLimits<dim> node_limits;
     double          softening                = 12.;
     double          density_diffusion        = 0.5;
     double          filter_weight            = 0.2;

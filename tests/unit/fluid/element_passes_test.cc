@@ -247,8 +247,9 @@ TYPED_TEST(Passes, BothInstructionSetsAgree)
   EXPECT_LT(difference(impulse, other_impulse), 1e-13);
 
   // Mass exchange: every seventh node takes no part.
-  std::vector<double> weight(n_cells), excess(t.x.size()), active(t.x.size(), 1.), given(t.x.size()), part(t.x.size());
-  std::vector<Quad>   request(n_cells), other_request(n_cells), momentum(t.v), received(t.x.size()),
+  std::vector<double> weight(n_cells), excess(t.x.size()), active(t.x.size(), 1.), given(t.x.size()), part(t.x.size()),
+    taken(t.x.size()), other_taken(t.x.size()), turnover(t.x.size());
+  std::vector<Quad> request(n_cells), other_request(n_cells), momentum(t.v), received(t.x.size()),
     other_received(t.x.size());
   Noise noise(8);
   for (double &w : weight)
@@ -258,17 +259,32 @@ TYPED_TEST(Passes, BothInstructionSetsAgree)
       excess[i]      = noise();
       active[i]      = i % 7 != 0;
       part[i]        = 0.5 + 0.5 * noise();
+      turnover[i]    = 0.6 + 0.6 * noise();
       momentum[i][3] = 1;
     }
-  one.exchange_requests(cells, n_cells, weight.data(), excess.data(), active.data(), request.data(), given.data());
+  one.exchange_requests(cells, n_cells, weight.data(), excess.data(), active.data(), request.data(), given.data(),
+                        taken.data());
   std::fill(other.begin(), other.end(), 0.);
-  two.exchange_requests(cells, n_cells, weight.data(), excess.data(), active.data(), other_request.data(),
-                        other.data());
+  two.exchange_requests(cells, n_cells, weight.data(), excess.data(), active.data(), other_request.data(), other.data(),
+                        other_taken.data());
   EXPECT_LT(difference(request, other_request, dim + 1), 1e-13);
   for (std::size_t i = 0; i < given.size(); ++i)
-    EXPECT_NEAR(given[i], other[i], 1e-12);
-  one.exchange_transfers(cells, n_cells, request.data(), part.data(), momentum.data(), received.data());
-  two.exchange_transfers(cells, n_cells, request.data(), part.data(), momentum.data(), other_received.data());
+    {
+      EXPECT_NEAR(given[i], other[i], 1e-12);
+      EXPECT_NEAR(taken[i], other_taken[i], 1e-12);
+    }
+  std::vector<double> image(t.x.size()), other_image(t.x.size());
+  one.exchange_operator(cells, n_cells, weight.data(), excess.data(), active.data(), image.data());
+  two.exchange_operator(cells, n_cells, weight.data(), excess.data(), active.data(), other_image.data());
+  for (std::size_t i = 0; i < image.size(); ++i)
+    {
+      EXPECT_NEAR(image[i], other_image[i], 1e-12);
+      EXPECT_NEAR(image[i], given[i] - taken[i], 1e-12);
+    }
+  one.exchange_transfers(cells, n_cells, request.data(), part.data(), turnover.data(), momentum.data(),
+                         received.data());
+  two.exchange_transfers(cells, n_cells, request.data(), part.data(), turnover.data(), momentum.data(),
+                         other_received.data());
   EXPECT_LT(difference(received, other_received, 2), 1e-13);
   for (std::size_t i = 0; i < received.size(); ++i)
     EXPECT_NEAR(received[i][3], other_received[i][3], 1e-12);
