@@ -91,6 +91,8 @@ namespace Breakwater
       visit(density);
       visit(contacts);
       visit(inflow);
+      visit(is_surface);
+      visit(has_cells);
       visit(number_in_triangulation);
     }
 

@@ -4,6 +4,7 @@
 #include <breakwater/base/binary_stream.h>
 
 #include <algorithm>
+#include <numeric>
 
 // What the fluid tells of itself: balances, columns of history.csv, the mesh for output, checkpoints.
 
@@ -190,7 +191,9 @@ namespace Breakwater
       read_binary(stream, value);
     };
     visit_nodes(nodes_, mesh_, visit);
-    nodes_.number_in_triangulation.assign(nodes_.n, no_cell); // it is still that of the initial state: make it anew
+    nodes_.number_in_triangulation.resize(nodes_.n);
+    std::iota(nodes_.number_in_triangulation.begin(), nodes_.number_in_triangulation.end(), 0u);
+    triangulation_ = {}; // it is still that of the initial state: make it anew
     Openings<dim>::visit_state(parameters_.openings, visit);
     parameters_.openings.find_driven(nodes_);
     visit(received_);

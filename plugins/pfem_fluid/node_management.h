@@ -13,7 +13,7 @@ namespace Breakwater
   struct NodeLimits
   {
     double smallest_distance = 0.35;
-    double longest_edge      = dim == 2 ? 1.8 : 2.;
+    double longest_edge      = dim == 2 ? 1.8 : 2.2;
   };
 
   /// What a call of manage_nodes() did.

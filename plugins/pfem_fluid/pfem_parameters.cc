@@ -97,10 +97,11 @@ namespace Breakwater
     openings.declare_parameters(reader);
     {
       SectionScope scope(reader, "Remeshing");
-      reader.add("Alpha", alpha, "Cells with a circumradius up to alpha times the spacing are fluid [-].", {1., 2.});
+      reader.add("Alpha", alpha,
+                 "Cells with a circumradius up to alpha times the spacing are fluid [-]: how early gaps close.",
+                 {0.9, 2.});
       reader.add("Alpha of fluid", alpha_of_fluid,
-                 "The same for cells that were fluid before the remesh [-]: fluid tears later than it closes.",
-                 {1., 3.});
+                 "The same for cells that were fluid before the remesh [-]: how late fluid tears.", {1., 3.});
       reader.add("Smallest distance", node_limits.smallest_distance,
                  "Neighbouring nodes that come closer than this times the spacing are merged [-]; 0: none.", {0., 0.6});
       reader.add("Longest edge", node_limits.longest_edge,

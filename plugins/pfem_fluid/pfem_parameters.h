@@ -57,7 +57,7 @@ namespace Breakwater
     Walls<dim>                     walls;
     Openings<dim>                  openings;
 
-    double          alpha          = 1.15;
+    double          alpha          = 1.05;
     double          alpha_of_fluid = 1.4;
     double          largest_strain = 0.2;
     NodeLimits<dim> node_limits;

@@ -201,7 +201,11 @@ namespace Breakwater
     // there would be a free surface at the wall, deep in the fluid, and the pressure would push into the hole.
     const SizeField<dim>  &size = parameters_.size;
     const FormerFluid<dim> former(mesh_, nodes_.number_in_triangulation);
-    std::vector<Contacts>  near_walls(nodes_.n);
+    // Around a node that was within the fluid, all was fluid.
+    const auto was_within = [is_surface = nodes_.is_surface, has_cells = nodes_.has_cells](const unsigned int i) {
+      return has_cells[i] && !is_surface[i];
+    };
+    std::vector<Contacts> near_walls(nodes_.n);
     for (std::size_t i = 0; i < nodes_.n; ++i)
       near_walls[i] = walls.faces_at(position[i], 0.5 * size(position[i]));
     const auto is_small_anyway = [&](const typename SimplexMesh<dim>::Cell &cell) {
@@ -210,18 +214,19 @@ namespace Breakwater
       if (!size.is_uniform() && circumradius(x) <= largest_size)
         return true;
       const double largest_former = parameters_.alpha_of_fluid * size(x[0]);
-      if (former.had(cell) && circumradius(x) <= largest_former)
+      const bool   was_fluid      = is_inside || std::any_of(cell.begin(), cell.end(), was_within) || former.had(cell);
+      if (was_fluid && circumradius(x) <= largest_former)
         return true;
       if (former.had_surface_of(cell) && longest_edge<dim>(x) <= 2 * largest_former)
         return true;
       Contacts shared = near_walls[cell[0]];
       for (const unsigned int i : cell)
         shared = common(shared, near_walls[i]);
-      return !shared.empty() && longest_edge<dim>(x) <= 1.9 * largest_size;
+      return !shared.empty() && longest_edge<dim>(x) <= 1.9 * largest_former;
     };
     std::vector<unsigned int> numbers(nodes_.n);
     std::iota(numbers.begin(), numbers.end(), 0u);
-    if (nodes_.number_in_triangulation != numbers)
+    if (triangulation_.n_nodes() > 0 && nodes_.number_in_triangulation != numbers)
       triangulation_.renumber(nodes_.number_in_triangulation);
     nodes_.number_in_triangulation = numbers;
 
