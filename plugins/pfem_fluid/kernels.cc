@@ -1,15 +1,26 @@
 #include "kernels.h"
 
 #include <algorithm>
+#include <cstdlib>
+#include <string>
 
 namespace Breakwater
 {
+  namespace
+  {
+    bool uses_avx2()
+    {
+      const char *wanted = std::getenv("BREAKWATER_INSTRUCTION_SET");
+      return (wanted == nullptr || std::string(wanted) != "baseline") && __builtin_cpu_supports("avx2") &&
+             __builtin_cpu_supports("fma");
+    }
+  } // namespace
+
+
   template <int dim>
   const ElementPasses &element_passes()
   {
-    static const ElementPasses chosen = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") ?
-                                          Avx2::element_passes<dim>() :
-                                          Baseline::element_passes<dim>();
+    static const ElementPasses chosen = uses_avx2() ? Avx2::element_passes<dim>() : Baseline::element_passes<dim>();
     return chosen;
   }
 
@@ -51,12 +62,12 @@ namespace Breakwater
   void filter_impulses(const std::vector<typename SimplexMesh<dim>::Cell> &cells, const FilterWeights &weights,
                        const std::vector<Quad> &xp, const std::vector<Quad> &v, const std::vector<double> &volume,
                        const double least_volume, const std::vector<double> &node_density,
-                       const std::vector<double> &inverse_mass, std::vector<Quad> &impulse)
+                       const std::vector<double> &inverse_mass, std::vector<Quad> &gradient, std::vector<Quad> &impulse)
   {
     impulse.assign(xp.size(), Quad());
     if (cells.empty())
       return;
-    std::vector<Quad> gradient(xp.size() * dim);
+    gradient.assign(xp.size() * dim, Quad());
     element_passes<dim>().velocity_gradients(cells.front().data(), cells.size(), xp.data(), v.data(), gradient.data());
     for (std::size_t i = 0; i < xp.size(); ++i)
       for (int d = 0; d < dim; ++d)
@@ -93,7 +104,7 @@ namespace Breakwater
   template void   filter_impulses<dim>(const std::vector<SimplexMesh<dim>::Cell> &, const FilterWeights &,               \
                                      const std::vector<Quad> &, const std::vector<Quad> &,                             \
                                      const std::vector<double> &, double, const std::vector<double> &,                 \
-                                     const std::vector<double> &, std::vector<Quad> &);                                \
+                                     const std::vector<double> &, std::vector<Quad> &, std::vector<Quad> &);           \
   template double largest_relative_displacement<dim>(const std::vector<SimplexMesh<dim>::Cell> &,                        \
                                                      const std::vector<Quad> &, const std::vector<Quad> &);
   BREAKWATER_INSTANTIATE(2)

@@ -9,7 +9,8 @@
 
 namespace Breakwater
 {
-  /// The loops over cells for the best instruction set that this machine has.
+  /// The loops over cells for the best instruction set that this machine has; for the compiler's baseline if the
+  /// environment says BREAKWATER_INSTRUCTION_SET=baseline, for the same digits on every machine and to compare speeds.
   template <int dim>
   const ElementPasses &element_passes();
 
@@ -48,11 +49,13 @@ namespace Breakwater
   ///
   /// In every cell the impulses add up to zero, so momentum is exact; linear fields are untouched; nothing is divided
   /// by the volume of a cell. A node density of zero leaves all cells of that node out.
+  /// @param gradient a buffer
   template <int dim>
   void filter_impulses(const std::vector<typename SimplexMesh<dim>::Cell> &cells, const FilterWeights &weights,
                        const std::vector<Quad> &xp, const std::vector<Quad> &v, const std::vector<double> &volume,
                        double least_volume, const std::vector<double> &node_density,
-                       const std::vector<double> &inverse_mass, std::vector<Quad> &impulse);
+                       const std::vector<double> &inverse_mass, std::vector<Quad> &gradient,
+                       std::vector<Quad> &impulse);
 
   /// Largest displacement [m] of a node against the mean of one of its cells, of displacements x - x0.
   template <int dim>

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <sstream>
 
 namespace Breakwater
@@ -132,19 +133,25 @@ namespace Breakwater
   template <int dim>
   void PfemFluid<dim>::update_pressure()
   {
-    const bool allows_tension = parameters_.tension == "allowed";
-    largest_density_          = 0;
-    for (std::size_t i = 0; i < nodes_.n; ++i)
+    constexpr std::size_t  block_size = 1024; // what one loop leaves is in the cache for the next
+    const EquationOfState &state      = parameters_.equation_of_state.front();
+    const double           least = parameters_.tension == "allowed" ? -std::numeric_limits<double>::infinity() : 0.;
+    double                 pressure[block_size];
+    largest_density_ = 0;
+    for (std::size_t begin = 0; begin < nodes_.n; begin += block_size)
       {
-        const double J =
-          std::clamp(1. + (nodes_.volume[i] - nodes_.reference_volume[i]) / nodes_.stiffness_volume[i], 0.7, 1.4);
-        nodes_.density[i] = nodes_.base_density[i] / J;
-        largest_density_  = std::max(largest_density_, nodes_.density[i]);
+        const std::size_t end = std::min(begin + block_size, nodes_.n);
+        for (std::size_t i = begin; i < end; ++i)
+          {
+            const double J =
+              std::clamp(1. + (nodes_.volume[i] - nodes_.reference_volume[i]) / nodes_.stiffness_volume[i], 0.7, 1.4);
+            nodes_.density[i] = nodes_.base_density[i] / J;
+            largest_density_  = std::max(largest_density_, nodes_.density[i]);
+          }
+        state.pressure(nodes_.density.data() + begin, pressure, end - begin);
+        for (std::size_t i = begin; i < end; ++i)
+          nodes_.xp[i][3] = std::max(least, pressure[i - begin]);
       }
-    pressure_buffer_.resize(nodes_.n);
-    parameters_.equation_of_state.front().pressure(nodes_.density.data(), pressure_buffer_.data(), nodes_.n);
-    for (std::size_t i = 0; i < nodes_.n; ++i)
-      nodes_.xp[i][3] = allows_tension ? pressure_buffer_[i] : std::max(0., pressure_buffer_[i]);
   }
 
 
@@ -164,7 +171,7 @@ namespace Breakwater
   void PfemFluid<dim>::update_forces()
   {
     update_body_acceleration();
-    const auto body = [&](const std::size_t i) {
+    const auto body = [&](const std::size_t i) -> const Vec<dim> & {
       return body_acceleration_[body_force_is_uniform_ ? 0 : i];
     };
     if (effects_.density_diffusion)
@@ -193,8 +200,12 @@ namespace Breakwater
     const bool allows_tension = parameters_.tension == "allowed";
     for (std::size_t i = nodes_.n_interface; i < nodes_.n; ++i)
       {
+        const double    inverse_mass      = 1. / nodes_.mass[i];
+        const Vec<dim> &body_acceleration = body(i);
         for (int d = 0; d < dim; ++d)
-          nodes_.a[i][d] = nodes_.force[i][d] / nodes_.mass[i] + body(i)[d];
+          nodes_.a[i][d] = nodes_.force[i][d] * inverse_mass + body_acceleration[d];
+        if (nodes_.contacts[i].empty())
+          continue;
         const double slip_rate =
           nodes_.slip_conductance.empty() ? 0. : effects_.viscosity * nodes_.slip_conductance[i] / nodes_.mass[i];
         // A fluid that bears tension hangs on its walls.
@@ -380,8 +391,11 @@ namespace Breakwater
   void PfemFluid<dim>::filter_velocity()
   {
     // Driven nodes and their cells take no part: their density is left at zero.
-    const double        least_volume = 0.1 * regular_volume<dim>(parameters_.spacing);
-    std::vector<double> node_density(nodes_.n, 0.), inverse_mass(nodes_.n, 0.);
+    const double         least_volume = 0.1 * regular_volume<dim>(parameters_.spacing);
+    std::vector<double> &node_density = filter_buffers_.node_density, &inverse_mass = filter_buffers_.inverse_mass;
+    std::vector<Quad>   &impulse = filter_buffers_.impulse;
+    node_density.assign(nodes_.n, 0.);
+    inverse_mass.assign(nodes_.n, 0.);
     for (std::size_t i = nodes_.n_interface; i < nodes_.n; ++i)
       {
         if (nodes_.is_driven(i))
@@ -389,9 +403,9 @@ namespace Breakwater
         node_density[i] = nodes_.mass[i] / std::max(nodes_.volume[i], least_volume);
         inverse_mass[i] = 1. / nodes_.mass[i];
       }
-    std::vector<Quad> impulse;
     filter_impulses<dim>(mesh_.cells, {parameters_.filter_weight, parameters_.divergence_filter_weight}, nodes_.xp,
-                         nodes_.v, nodes_.volume, least_volume, node_density, inverse_mass, impulse);
+                         nodes_.v, nodes_.volume, least_volume, node_density, inverse_mass, filter_buffers_.gradient,
+                         impulse);
     for (std::size_t i = nodes_.n_interface; i < nodes_.n; ++i)
       if (nodes_.has_cells[i] && !nodes_.is_driven(i))
         {

@@ -49,6 +49,13 @@ namespace Breakwater
     /// What a remesh did, for its row of remeshing.csv.
     struct RemeshRecord;
 
+    /// Arrays of the velocity filter, kept: fresh memory costs as much as the loops over nodes.
+    struct FilterBuffers
+    {
+      std::vector<double> node_density, inverse_mass;
+      std::vector<Quad>   gradient, impulse;
+    };
+
     // pfem_fluid.cc: one time step
     void              update_pressure();
     void              update_forces();
@@ -118,7 +125,7 @@ namespace Breakwater
     bool                     body_force_is_uniform_ = true;
     bool                     filters_velocity_      = true;
     std::vector<Vec<dim>>    body_acceleration_; ///< one for all nodes if uniform, else one per node [m/s^2]
-    std::vector<double>      pressure_buffer_;
+    FilterBuffers            filter_buffers_;
     std::vector<double>      shear_rate_;          ///< of the cells of a fluid that is not Newtonian [1/s]
     std::vector<double>      cell_volume_at_rest_; ///< at the last remesh [m^dim]
     std::vector<double>      cell_viscosity_;      ///< of a fluid that is not Newtonian [Pa s]

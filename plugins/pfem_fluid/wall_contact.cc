@@ -150,7 +150,7 @@ namespace Breakwater
 
 
   template <int dim>
-  bool Walls<dim>::stop(const Vec<dim> &x_old, double *x, double *v, const double mass, Contacts &contacts)
+  bool Walls<dim>::stop_at_faces(const Vec<dim> &x_old, double *x, double *v, const double mass, Contacts &contacts)
   {
     bool       has_new      = false;
     const auto stop_aligned = [&]() {

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 // Parameters, motion, and what the walls tell of themselves; what they do to nodes and cells:
 // wall_contact.cc, wall_cells.cc.
@@ -132,6 +133,28 @@ namespace Breakwater
       throw InputError("The walls of the fluid have " + std::to_string(faces_.size()) +
                        " faces (planes, and parts of surfaces between sharp edges); at most " +
                        std::to_string(Contacts::n_faces) + " are possible.");
+    find_room();
+  }
+
+
+  template <int dim>
+  void Walls<dim>::find_room()
+  {
+    const double infinity = std::numeric_limits<double>::infinity();
+    const bool   are_all  = n_aligned_ == faces_.size();
+    for (int d = 0; d < dim; ++d)
+      {
+        lower_plane_[d] = are_all ? -infinity : infinity;
+        upper_plane_[d] = -lower_plane_[d];
+      }
+    for (unsigned int f = 0; f < n_aligned_; ++f)
+      {
+        const Face &face = faces_[f];
+        if (face.sign > 0)
+          lower_plane_[face.direction] = std::max(lower_plane_[face.direction], face.place);
+        else
+          upper_plane_[face.direction] = std::min(upper_plane_[face.direction], face.place);
+      }
   }
 
 

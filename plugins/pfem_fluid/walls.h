@@ -71,7 +71,10 @@ namespace Breakwater
     /// adds those contacts. Contacts with surfaces that the node has left, sideways, are dropped.
     /// @param mass of the node [kg], 0 if the walls feel nothing
     /// @return whether a contact was added
-    bool stop(const Vec<dim> &x_old, double *x, double *v, double mass, Contacts &contacts);
+    bool stop(const Vec<dim> &x_old, double *x, double *v, double mass, Contacts &contacts)
+    {
+      return !is_in_front_of_all(x) && stop_at_faces(x_old, x, v, mass, contacts);
+    }
 
     /// Takes from a node in contact what the walls take: acceleration into them (or, without slip, all of it against
     /// them).
@@ -180,6 +183,16 @@ namespace Breakwater
 
     /// Puts fixed planes along the axes first, then other planes, then surfaces.
     void number_faces(const std::vector<Face> &planes);
+    /// True if there are no walls but fixed planes along the axes, and the place is in front of or on all of them: most
+    /// nodes of most scenes need no closer look.
+    bool is_in_front_of_all(const double *x) const
+    {
+      bool is_between = true;
+      for (int d = 0; d < dim; ++d)
+        is_between = is_between && x[d] >= lower_plane_[d] && x[d] <= upper_plane_[d];
+      return is_between;
+    }
+    void find_room();
     /// Nodes rest on surfaces at this distance, so that it is clear on which side they are [m].
     double clearance() const { return 1e-6 * spacing_; }
     bool   is_in_solid(const Vec<dim> &x) const;
@@ -196,6 +209,7 @@ namespace Breakwater
     bool     normal_at(const Face &face, const Vec<dim> &x, Vec<dim> &normal) const;
     Load     load_of(const Wall &wall, const Vec<dim> &x, const Vec<dim> &force) const;
 
+    bool stop_at_faces(const Vec<dim> &x_old, double *x, double *v, double mass, Contacts &contacts);
     void stop_at_plane(unsigned int face, double *x, double *v, double mass, Contacts &contacts);
     void stop_at_surface(const Surface &surface, const Vec<dim> &x_old, double *x, double *v, double mass,
                          Contacts &contacts);
@@ -213,6 +227,7 @@ namespace Breakwater
     unsigned int         n_aligned_ = 0; ///< the first faces: fixed planes along the axes
     unsigned int         n_planes_  = 0; ///< all planes; the patches of surfaces follow
     std::vector<Surface> surfaces_;
+    Vec<dim>             lower_plane_, upper_plane_; ///< see is_in_front_of_all() [m]
     BoxShape<dim>        extent_;
     double               spacing_          = 0; ///< of the nodes [m]
     double               step_             = 0; ///< last one [s]

@@ -6,6 +6,9 @@
 #include <pfem_fluid/alpha_shape.h>
 #include <pfem_fluid/kernels.h>
 #include <pfem_fluid/lattice.h>
+#include <pfem_fluid/mass_exchange.h>
+
+#include <breakwater/mesh/volume_operator.h>
 
 #include <benchmark/benchmark.h>
 
@@ -111,6 +114,44 @@ namespace
     });
   }
 
+  void forces(benchmark::State &state)
+  {
+    const ForceEffects chosen = effects(false, false);
+    repeat(state, [&](Cloud &c) {
+      compute_forces<3>(c.mesh.cells, chosen, c.xp, c.v, c.density_slope, c.force);
+    });
+  }
+
+  void row_sums(benchmark::State &state)
+  {
+    repeat(state, [](Cloud &c) {
+      const std::vector<double> mass(c.position.size(), 1000 * std::pow(Cloud::spacing, 3));
+      benchmark::DoNotOptimize(volume_operator_row_sums(c.mesh, c.position, mass));
+    });
+  }
+
+  /// From masses that are wrong by up to 1 %, different at each node.
+  void mass_exchange(benchmark::State &state)
+  {
+    unsigned int n_iterations = 0;
+    repeat(state, [&](Cloud &c) {
+      FluidNodes<3> nodes;
+      nodes.resize(c.position.size());
+      nodes.xp = c.xp;
+      nodes.v  = c.v;
+      compute_volumes<3>(c.mesh.cells, nodes.xp, nodes.volume);
+      for (std::size_t i = 0; i < nodes.n; ++i)
+        {
+          nodes.has_cells[i] = 1;
+          nodes.density[i]   = 1000;
+          nodes.mass[i]      = 1000 * nodes.volume[i] * (1 + 0.01 * c.v[i][0]);
+        }
+      n_iterations = exchange_mass<3>(nodes, c.mesh.cells, std::vector<double>(nodes.n, 0.), 0., 1000., Cloud::spacing,
+                                      ExchangeControl());
+    });
+    state.counters["iterations"] = n_iterations;
+  }
+
   void triangulation(benchmark::State &state)
   {
     repeat(state, [](Cloud &c) {
@@ -159,6 +200,11 @@ namespace
     state.counters["full"]  = static_cast<double>(n_full) / state.iterations();
   }
 
+  void sizes(benchmark::internal::Benchmark *benchmark)
+  {
+    benchmark->Arg(2000)->Arg(17000)->Arg(120000)->Arg(680000)->Unit(benchmark::kMillisecond);
+  }
+
   void peak_multiply_adds(benchmark::State &state)
   {
     constexpr int n = 32;
@@ -189,15 +235,14 @@ namespace
   }
 } // namespace
 
-BENCHMARK(volumes)->Arg(2000)->Arg(13000)->Arg(120000)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(step, inviscid, false, false)->Arg(2000)->Arg(13000)->Arg(120000)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(step, viscous, true, false)->Arg(2000)->Arg(13000)->Arg(120000)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(step, diffusion, false, true)->Arg(2000)->Arg(13000)->Arg(120000)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(step, viscous_diffusion, true, true)
-  ->Arg(2000)
-  ->Arg(13000)
-  ->Arg(120000)
-  ->Unit(benchmark::kMillisecond);
+BENCHMARK(volumes)->Apply(sizes);
+BENCHMARK(forces)->Apply(sizes);
+BENCHMARK_CAPTURE(step, inviscid, false, false)->Apply(sizes);
+BENCHMARK_CAPTURE(step, viscous, true, false)->Apply(sizes);
+BENCHMARK_CAPTURE(step, diffusion, false, true)->Apply(sizes);
+BENCHMARK_CAPTURE(step, viscous_diffusion, true, true)->Apply(sizes);
+BENCHMARK(row_sums)->Apply(sizes);
+BENCHMARK(mass_exchange)->Apply(sizes);
 BENCHMARK(triangulation)->Arg(13000)->Arg(120000)->Unit(benchmark::kMillisecond);
 BENCHMARK(alpha_shape_of_triangulation)->Arg(13000)->Arg(120000)->Unit(benchmark::kMillisecond);
 BENCHMARK(triangulation_repair)
