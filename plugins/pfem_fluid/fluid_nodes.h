@@ -120,6 +120,19 @@ namespace Breakwater
     /// Mass that resists a force on the node [kg].
     double inertia(const std::size_t i) const { return mass[i] + companion_mass[i]; }
 
+    /// sum of m x cross v about the origin [kg m^2/s]; in 2D only the component along z is not zero.
+    Vec<3> angular_momentum() const
+    {
+      Vec<3> result;
+      for (std::size_t i = 0; i < n; ++i)
+        for (int d = dim == 2 ? 2 : 0; d < 3; ++d)
+          {
+            const int e = (d + 1) % 3, f = (d + 2) % 3;
+            result[d] += mass[i] * (xp[i][e] * v[i][f] - xp[i][f] * v[i][e]);
+          }
+      return result;
+    }
+
     static Vec<dim> vec(const Quad &q)
     {
       Vec<dim> result;

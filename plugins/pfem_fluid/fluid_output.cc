@@ -10,27 +10,6 @@
 
 namespace Breakwater
 {
-  namespace
-  {
-    /// sum of m x cross v about the origin [kg m^2/s]; in 2D only the component along z is not zero.
-    template <int dim>
-    Vec<3> angular_momentum(const FluidNodes<dim> &nodes)
-    {
-      Vec<3> result;
-      for (std::size_t i = 0; i < nodes.n; ++i)
-        {
-          const Quad &x = nodes.xp[i], &v = nodes.v[i];
-          for (int d = dim == 2 ? 2 : 0; d < 3; ++d)
-            {
-              const int e = (d + 1) % 3, f = (d + 2) % 3;
-              result[d] += nodes.mass[i] * (x[e] * v[f] - x[f] * v[e]);
-            }
-        }
-      return result;
-    }
-  } // namespace
-
-
   template <int dim>
   DomainBalance<dim> PfemFluid<dim>::node_balance(const std::size_t i) const
   {
@@ -83,7 +62,7 @@ namespace Breakwater
     row.emplace_back("fluid mass [kg]", now.mass);
     for (int d = 0; d < dim; ++d)
       row.emplace_back(std::string("fluid momentum ") + "xyz"[d] + " [kg m/s]", now.momentum[d]);
-    const Vec<3> angular = angular_momentum(nodes_);
+    const Vec<3> angular = nodes_.angular_momentum();
     for (int d = dim == 2 ? 2 : 0; d < 3; ++d)
       row.emplace_back(std::string("fluid angular momentum ") + "xyz"[d] + " [kg m^2/s]", angular[d]);
     const double deficit = interior_volume_deficit(nodes_);
@@ -99,6 +78,8 @@ namespace Breakwater
         n_isolated += i >= nodes_.n_interface && !nodes_.has_cells[i];
       }
     row.emplace_back("fluid mesh volume [m^" + std::to_string(dim) + "]", volume);
+    row.emplace_back("volume of closed gaps [m^" + std::to_string(dim) + "]", volume_made_);
+    row.emplace_back("volume of torn fluid [m^" + std::to_string(dim) + "]", volume_lost_);
     row.emplace_back("isolated nodes [-]", n_isolated);
     row.emplace_back("nodes put back at walls [-]", n_wall_stops_);
     parameters_.walls.add_history(time_, row);
@@ -174,7 +155,7 @@ namespace Breakwater
     visit(effects_.cell_stiffness);
     visit(adopted_.surface().revision);
     for (const double value : {time_, bound_, sound_speed_at_bound_, largest_density_, interface_work_,
-                               energy_after_remesh_, spectral_bound_})
+                               energy_after_remesh_, spectral_bound_, volume_made_, volume_lost_})
       visit(value);
     for (const unsigned int value : {n_steps_since_filter_, n_steps_to_check_, n_remeshes_})
       visit(value);
@@ -203,7 +184,7 @@ namespace Breakwater
     effects_.cell_volume_at_rest = cell_volume_at_rest_.data();
     visit(adopted_.surface().revision);
     for (double *value : {&time_, &bound_, &sound_speed_at_bound_, &largest_density_, &interface_work_,
-                          &energy_after_remesh_, &spectral_bound_})
+                          &energy_after_remesh_, &spectral_bound_, &volume_made_, &volume_lost_})
       visit(*value);
     for (unsigned int *value : {&n_steps_since_filter_, &n_steps_to_check_, &n_remeshes_})
       visit(*value);

@@ -93,18 +93,20 @@ namespace Breakwater
     bool        let_out(DomainBalance<dim> &before); ///< takes nodes in outflows away, from the balance too
     typename DelaunayMesh<dim>::Report triangulate(
       const std::function<bool(const typename SimplexMesh<dim>::Cell &)> &is_inside = {});
-    void smooth_mesh(RemeshRecord &record);
-    void classify_nodes();
-    void shift_to_centroids();
-    void correct_volumes(double energy, RemeshRecord &record);
-    void exchange(RemeshRecord &record);
-    void sort_nodes();
-    void set_references();
-    void set_cell_stiffness();
-    void update_time_step_bound(const std::vector<Vec<dim>> &position, const std::vector<double> &inertia,
-                                const std::vector<double> &row_sums);
-    void add_remeshing_row(const RemeshRecord &record, const DomainBalance<dim> &before,
-                           const DomainBalance<dim> &after);
+    void   smooth_mesh(RemeshRecord &record);
+    void   classify_nodes();
+    void   shift_to_centroids();
+    void   correct_volumes(double energy, RemeshRecord &record);
+    void   exchange(RemeshRecord &record);
+    void   sort_nodes();
+    void   set_references();
+    void   set_cell_stiffness();
+    void   update_time_step_bound(const std::vector<Vec<dim>> &position, const std::vector<double> &inertia,
+                                  const std::vector<double> &row_sums);
+    void   check_remesh(const RemeshRecord &record, const DomainBalance<dim> &before, const DomainBalance<dim> &after);
+    double mesh_volume() const;
+    void   add_remeshing_row(const RemeshRecord &record, const DomainBalance<dim> &before,
+                             const DomainBalance<dim> &after);
 
     DomainBalance<dim> node_balance(std::size_t node) const;
 
@@ -139,6 +141,8 @@ namespace Breakwater
     double        largest_density_      = 0; ///< now
     double        interface_work_       = 0; ///< of the link forces on the fluid since the start [J]
     double        energy_after_remesh_  = 0; ///< less the interface's work [J]
+    double        volume_made_          = 0; ///< by remeshes since the start [m^dim]
+    double        volume_lost_          = 0; ///< by remeshes since the start [m^dim]
     double        spectral_bound_       = 0; ///< Gershgorin's, at the last remesh [s]
     unsigned int  n_softened_           = 0; ///< nodes, at the last remesh
     unsigned int  n_steps_since_filter_ = 0;

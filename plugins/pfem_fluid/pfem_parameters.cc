@@ -137,6 +137,15 @@ namespace Breakwater
                  "The run stops when a node moves faster than this times the speed of sound at rest [-]: the fluid is "
                  "no longer weakly compressible, or the step was unstable.",
                  Range::positive());
+      reader.add(
+        "Largest energy gain at a remesh", largest_energy_gain,
+        "The run stops when a remesh makes more than this times the kinetic energy, or that of a thousandth of "
+        "the speed of sound if it is larger [-].",
+        Range::positive());
+      reader.add("Largest angular momentum change at a remesh", largest_angular_change,
+                 "The run stops when a remesh changes the angular momentum by more than this times that of a ring with "
+                 "the fluid's mass, radius of gyration and kinetic energy [-].",
+                 Range::positive());
     }
     {
       SectionScope scope(reader, "Volume conservation");

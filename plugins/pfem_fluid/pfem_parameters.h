@@ -71,7 +71,9 @@ namespace Breakwater
     unsigned int    correction_iterations    = 5;
     double          correction_weight        = 0.3;
     ExchangeControl exchange;
-    double          largest_mach_number = 1.;
+    double          largest_energy_gain    = 1.;
+    double          largest_angular_change = 1.;
+    double          largest_mach_number    = 1.;
 
     PfemParameters();
     void declare(ParameterReader &reader);

@@ -26,6 +26,8 @@ namespace Breakwater
     double                             transfer_seconds      = 0;
     unsigned int                       n_pushed_out          = 0;
     unsigned int                       n_exchange_iterations = 0;
+    double                             mesh_volume_before    = 0; ///< [m^dim]
+    Vec<3>                             angular_momentum_before;   ///< [kg m^2/s]
     NodeChanges                        node_changes;
   };
 } // namespace Breakwater

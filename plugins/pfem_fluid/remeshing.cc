@@ -61,6 +61,7 @@ namespace Breakwater
     DomainBalance<dim> before            = balance();
     RemeshRecord       record;
 
+    record.angular_momentum_before = nodes_.angular_momentum();
     // Volumes and pressures belong to the present positions: advance_free() left them so.
     correct_volumes(own_energy(before), record);
     shift_to_centroids();
@@ -69,6 +70,7 @@ namespace Breakwater
     record.n_pushed_out = adopted_.push_out(nodes_, 2 * parameters_.spacing, impulse);
     n_pushed_out_ += record.n_pushed_out;
 
+    record.mesh_volume_before = mesh_volume();
     record.node_changes = manage_nodes<dim>(nodes_, mesh_.cells, parameters_.size, parameters_.walls, reference_density,
                                             parameters_.node_limits);
     const bool has_left = let_out(before);
@@ -111,6 +113,7 @@ namespace Breakwater
     energy_after_remesh_    = own_energy(after);
     record.transfer_seconds = transfer_timer.seconds();
     add_remeshing_row(record, before, after);
+    check_remesh(record, before, after);
   }
 
 
@@ -549,6 +552,11 @@ namespace Breakwater
     row.emplace_back("kinetic energy change [J]", after.kinetic_energy - before.kinetic_energy);
     row.emplace_back("potential energy change [J]", after.potential_energy - before.potential_energy);
     row.emplace_back("internal energy change [J]", after.internal_energy - before.internal_energy);
+    const Vec<3> angular_momentum = nodes_.angular_momentum();
+    for (int d = dim == 2 ? 2 : 0; d < 3; ++d)
+      row.emplace_back(std::string("angular momentum change ") + "xyz"[d] + " [kg m^2/s]",
+                       angular_momentum[d] - record.angular_momentum_before[d]);
+    row.emplace_back("volume made by the mesh [m^" + std::to_string(dim) + "]", volume - record.mesh_volume_before);
     row.emplace_back("interior volume deficit [-]", interior_volume_deficit(nodes_));
     context_->table("remeshing").add_row(row);
   }

@@ -14,4 +14,10 @@ verification.check("largest interior volume deficit", summary["largest_interior_
 verification.check("energy made in any 0.05 s, of the initial potential energy", summary[RISE], 0, 0.005)
 verification.check("energy left, of the initial one", history["total energy [J]"][-1] / history["total energy [J]"][0],
                    0.5, 1.0)
+
+# A remesh that changes more than it may stops the run.
+for limit in ("energy gain", "angular momentum change"):
+    stopped = run("cookbooks/dam_break.prm", {"Fluid/Pfem/Spacing": 0.01, "End time": 0.2,
+                                              f"Fluid/Pfem/Limits/Largest {limit} at a remesh": 1e-9}, expected_exit=2)
+    verification.check(f"the limit on the {limit} stops the run at", stopped["time [s]"][-1], 0, 0.19)
 verification.finish()
