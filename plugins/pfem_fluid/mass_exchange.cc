@@ -37,7 +37,7 @@ namespace Breakwater
           cell_weight_[c] = std::abs(signed_volume(nodes.corners(cells[c]))) / (2 * (dim + 1));
       }
 
-      unsigned int run(const std::vector<double> &potential, const double allowed_work)
+      ExchangeReport run(const std::vector<double> &potential, const double allowed_work)
       {
         for (std::size_t i = 0; i < nodes_.n; ++i)
           {
@@ -46,11 +46,12 @@ namespace Breakwater
             volume_[i]            = takes_part ? std::max(nodes_.volume[i], least_volume_) : 0.;
             excess_[i]            = takes_part ? nodes_.mass[i] - nodes_.density[i] * nodes_.volume[i] : 0.;
           }
-        residual_                 = excess_;
-        unsigned int n_iterations = solve(1. / control_.reach);
-        const double near_work    = work(1. / control_.reach, potential);
+        residual_                   = excess_;
+        unsigned int   n_iterations = solve(1. / control_.reach);
+        const double   near_work    = work(1. / control_.reach, potential);
+        ExchangeReport report;
         if (n_iterations == 0)
-          return 0;
+          return report;
         if (control_.far_reach > control_.reach)
           {
             const std::vector<double> near = psi_;
@@ -61,9 +62,11 @@ namespace Breakwater
             const double part     = std::abs(far_work) > allowed_work ? allowed_work / std::abs(far_work) : 1.;
             for (std::size_t i = 0; i < nodes_.n; ++i)
               psi_[i] = near[i] + part * (psi_[i] - near[i]);
+            report.far_part = part;
           }
         carry_out();
-        return n_iterations;
+        report.n_iterations = n_iterations;
+        return report;
       }
 
     private:
@@ -160,17 +163,19 @@ namespace Breakwater
 
 
   template <int dim>
-  unsigned int exchange_mass(FluidNodes<dim> &nodes, const std::vector<typename SimplexMesh<dim>::Cell> &cells,
-                             const std::vector<double> &potential, const double allowed_work,
-                             const double reference_density, const double spacing, const ExchangeControl &control)
+  ExchangeReport exchange_mass(FluidNodes<dim> &nodes, const std::vector<typename SimplexMesh<dim>::Cell> &cells,
+                               const std::vector<double> &potential, const double allowed_work,
+                               const double reference_density, const double spacing, const ExchangeControl &control)
   {
     if (cells.empty() || control.n_iterations == 0)
-      return 0;
+      return {};
     return MassExchange<dim>(nodes, cells, reference_density, spacing, control).run(potential, allowed_work);
   }
 
-  template unsigned int exchange_mass<2>(FluidNodes<2> &, const std::vector<SimplexMesh<2>::Cell> &,
-                                         const std::vector<double> &, double, double, double, const ExchangeControl &);
-  template unsigned int exchange_mass<3>(FluidNodes<3> &, const std::vector<SimplexMesh<3>::Cell> &,
-                                         const std::vector<double> &, double, double, double, const ExchangeControl &);
+  template ExchangeReport exchange_mass<2>(FluidNodes<2> &, const std::vector<SimplexMesh<2>::Cell> &,
+                                           const std::vector<double> &, double, double, double,
+                                           const ExchangeControl &);
+  template ExchangeReport exchange_mass<3>(FluidNodes<3> &, const std::vector<SimplexMesh<3>::Cell> &,
+                                           const std::vector<double> &, double, double, double,
+                                           const ExchangeControl &);
 } // namespace Breakwater

@@ -15,6 +15,13 @@ namespace Breakwater
     double       tolerance    = 1e-4;  ///< rms of what may be left, relative to the rms mass [-]
   };
 
+  /// What an exchange did.
+  struct ExchangeReport
+  {
+    unsigned int n_iterations = 0; ///< of conjugate gradients
+    double       far_part     = 1; ///< of the difference between far and near that was carried out [-]
+  };
+
   /// Exchanges mass, with its momentum, between neighbours on a new mesh so that m = rho V, but for what is smooth over
   /// some sqrt(T) nodes. The fluxes between the corners of a cell, |V_c| / (2 (dim + 1)) (psi_a - mean psi), come from
   ///   (L + V / T) psi = m - rho V,
@@ -29,9 +36,8 @@ namespace Breakwater
   /// difference to the far one as changes the potential energy by `allowed_work` at most.
   /// @param potential of the nodes [J/kg]
   /// @param allowed_work [J]
-  /// @return iterations made
   template <int dim>
-  unsigned int exchange_mass(FluidNodes<dim> &nodes, const std::vector<typename SimplexMesh<dim>::Cell> &cells,
-                             const std::vector<double> &potential, double allowed_work, double reference_density,
-                             double spacing, const ExchangeControl &control);
+  ExchangeReport exchange_mass(FluidNodes<dim> &nodes, const std::vector<typename SimplexMesh<dim>::Cell> &cells,
+                               const std::vector<double> &potential, double allowed_work, double reference_density,
+                               double spacing, const ExchangeControl &control);
 } // namespace Breakwater

@@ -141,6 +141,7 @@ namespace Breakwater
     double        largest_density_      = 0; ///< now
     double        interface_work_       = 0; ///< of the link forces on the fluid since the start [J]
     double        energy_after_remesh_  = 0; ///< less the interface's work [J]
+    double        far_part_             = 1; ///< of the mass exchange, when it was last tried [-]
     double        volume_made_          = 0; ///< by remeshes since the start [m^dim]
     double        volume_lost_          = 0; ///< by remeshes since the start [m^dim]
     double        spectral_bound_       = 0; ///< Gershgorin's, at the last remesh [s]

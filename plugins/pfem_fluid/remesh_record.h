@@ -1,5 +1,6 @@
 #pragma once
 
+#include "mass_exchange.h"
 #include "node_management.h"
 #include "pfem_fluid.h"
 
@@ -25,9 +26,9 @@ namespace Breakwater
     double                             smoothing_seconds     = 0;
     double                             transfer_seconds      = 0;
     unsigned int                       n_pushed_out          = 0;
-    unsigned int                       n_exchange_iterations = 0;
-    double                             mesh_volume_before    = 0; ///< [m^dim]
-    Vec<3>                             angular_momentum_before;   ///< [kg m^2/s]
+    ExchangeReport                     exchange;
+    double                             mesh_volume_before = 0;  ///< [m^dim]
+    Vec<3>                             angular_momentum_before; ///< [kg m^2/s]
     NodeChanges                        node_changes;
   };
 } // namespace Breakwater

@@ -364,9 +364,15 @@ namespace Breakwater
       }
     for (const Vec<dim> &acceleration : body_acceleration_)
       strongest = std::max(strongest, norm(acceleration));
-    record.n_exchange_iterations = exchange_mass<dim>(
-      nodes_, mesh_.cells, potential, allowed_lift * parameters_.spacing * mass * strongest,
-      parameters_.equation_of_state.front().reference_density(), parameters_.spacing, parameters_.exchange);
+    // In a splash hardly anything goes far: it is tried now and then.
+    ExchangeControl control = parameters_.exchange;
+    if (far_part_ < 0.05 && n_remeshes_ % 4 != 0)
+      control.far_reach = 0;
+    record.exchange =
+      exchange_mass<dim>(nodes_, mesh_.cells, potential, allowed_lift * parameters_.spacing * mass * strongest,
+                         parameters_.equation_of_state.front().reference_density(), parameters_.spacing, control);
+    if (control.far_reach > 0)
+      far_part_ = record.exchange.far_part;
   }
 
 
@@ -541,7 +547,8 @@ namespace Breakwater
                {"triangulation [CPU s]", record.triangulation_seconds},
                {"smoothing [CPU s]", record.smoothing_seconds},
                {"transfer [CPU s]", record.transfer_seconds},
-               {"exchange iterations [-]", static_cast<double>(record.n_exchange_iterations)},
+               {"exchange iterations [-]", static_cast<double>(record.exchange.n_iterations)},
+               {"far part of the exchange [-]", far_part_},
                {"volume correction scale [-]", record.correction_scale},
                {"nodes put back out of structures [-]", static_cast<double>(record.n_pushed_out)},
                {"mass change [kg]", after.mass - before.mass},
