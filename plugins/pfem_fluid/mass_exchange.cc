@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace Breakwater
 {
@@ -48,13 +47,13 @@ namespace Breakwater
           }
         residual_                   = excess_;
         unsigned int   n_iterations = solve(1. / control_.reach);
-        const double   near_work    = work(1. / control_.reach, potential);
         ExchangeReport report;
         if (n_iterations == 0)
           return report;
         if (control_.far_reach > control_.reach)
           {
-            const std::vector<double> near = psi_;
+            const std::vector<double> near      = psi_;
+            const double              near_work = work(1. / control_.reach, potential);
             for (std::size_t i = 0; i < nodes_.n; ++i)
               residual_[i] += volume_[i] * (1. / control_.reach - 1. / control_.far_reach) * psi_[i];
             n_iterations += solve(1. / control_.far_reach);

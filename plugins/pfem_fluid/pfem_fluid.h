@@ -105,6 +105,7 @@ namespace Breakwater
                                   const std::vector<double> &row_sums);
     void   check_remesh(const RemeshRecord &record, const DomainBalance<dim> &before, const DomainBalance<dim> &after);
     double mesh_volume() const;
+    double largest_body_acceleration() const; ///< at the last update [m/s^2]
     void   add_remeshing_row(const RemeshRecord &record, const DomainBalance<dim> &before,
                              const DomainBalance<dim> &after);
 

@@ -27,8 +27,8 @@ namespace Breakwater
     double                             transfer_seconds      = 0;
     unsigned int                       n_pushed_out          = 0;
     ExchangeReport                     exchange;
-    double                             mesh_volume_before = 0;  ///< [m^dim]
-    Vec<3>                             angular_momentum_before; ///< [kg m^2/s]
+    double                             volume_made = 0;         ///< by the new mesh [m^dim]
+    Vec<3>                             angular_momentum_change; ///< [kg m^2/s]
     NodeChanges                        node_changes;
   };
 } // namespace Breakwater

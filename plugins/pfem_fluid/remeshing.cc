@@ -61,7 +61,7 @@ namespace Breakwater
     DomainBalance<dim> before            = balance();
     RemeshRecord       record;
 
-    record.angular_momentum_before = nodes_.angular_momentum();
+    const Vec<3> angular_momentum_before = nodes_.angular_momentum();
     // Volumes and pressures belong to the present positions: advance_free() left them so.
     correct_volumes(own_energy(before), record);
     shift_to_centroids();
@@ -70,7 +70,7 @@ namespace Breakwater
     record.n_pushed_out = adopted_.push_out(nodes_, 2 * parameters_.spacing, impulse);
     n_pushed_out_ += record.n_pushed_out;
 
-    record.mesh_volume_before = mesh_volume();
+    const double volume_before = mesh_volume();
     record.node_changes = manage_nodes<dim>(nodes_, mesh_.cells, parameters_.size, parameters_.walls, reference_density,
                                             parameters_.node_limits);
     const bool has_left = let_out(before);
@@ -108,10 +108,12 @@ namespace Breakwater
 
     ++n_remeshes_;
     ++context_->n_remeshes;
-    n_steps_to_check_       = 2;
-    const auto after        = balance();
-    energy_after_remesh_    = own_energy(after);
-    record.transfer_seconds = transfer_timer.seconds();
+    n_steps_to_check_              = 2;
+    const auto after               = balance();
+    energy_after_remesh_           = own_energy(after);
+    record.transfer_seconds        = transfer_timer.seconds();
+    record.volume_made             = std::accumulate(nodes_.volume.begin(), nodes_.volume.end(), 0.) - volume_before;
+    record.angular_momentum_change = nodes_.angular_momentum() - angular_momentum_before;
     add_remeshing_row(record, before, after);
     check_remesh(record, before, after);
   }
@@ -205,8 +207,8 @@ namespace Breakwater
     const SizeField<dim>  &size = parameters_.size;
     const FormerFluid<dim> former(mesh_, nodes_.number_in_triangulation);
     // Around a node that was within the fluid, all was fluid.
-    const auto was_within = [is_surface = nodes_.is_surface, has_cells = nodes_.has_cells](const unsigned int i) {
-      return has_cells[i] && !is_surface[i];
+    const auto was_within = [this](const unsigned int i) {
+      return nodes_.has_cells[i] && !nodes_.is_surface[i];
     };
     std::vector<Contacts> near_walls(nodes_.n);
     for (std::size_t i = 0; i < nodes_.n; ++i)
@@ -355,22 +357,20 @@ namespace Breakwater
     /// Work that the far exchange may do at a remesh: what lifts the fluid by this part of a spacing.
     constexpr double    allowed_lift = 1e-4;
     std::vector<double> potential(nodes_.n, 0.);
-    double              mass = 0, strongest = 0;
+    double              mass = 0;
     for (std::size_t i = 0; i < nodes_.n; ++i)
       {
         mass += nodes_.mass[i];
         for (const auto &force : *body_forces_)
           potential[i] += force->potential(nodes_.position(i));
       }
-    for (const Vec<dim> &acceleration : body_acceleration_)
-      strongest = std::max(strongest, norm(acceleration));
     // In a splash hardly anything goes far: it is tried now and then.
     ExchangeControl control = parameters_.exchange;
     if (far_part_ < 0.05 && n_remeshes_ % 4 != 0)
       control.far_reach = 0;
-    record.exchange =
-      exchange_mass<dim>(nodes_, mesh_.cells, potential, allowed_lift * parameters_.spacing * mass * strongest,
-                         parameters_.equation_of_state.front().reference_density(), parameters_.spacing, control);
+    record.exchange = exchange_mass<dim>(
+      nodes_, mesh_.cells, potential, allowed_lift * parameters_.spacing * mass * largest_body_acceleration(),
+      parameters_.equation_of_state.front().reference_density(), parameters_.spacing, control);
     if (control.far_reach > 0)
       far_part_ = record.exchange.far_part;
   }
@@ -470,13 +470,20 @@ namespace Breakwater
 
 
   template <int dim>
+  double PfemFluid<dim>::largest_body_acceleration() const
+  {
+    double largest = 0;
+    for (const Vec<dim> &acceleration : body_acceleration_)
+      largest = std::max(largest, norm(acceleration));
+    return largest;
+  }
+
+
+  template <int dim>
   void PfemFluid<dim>::set_cell_stiffness()
   {
-    double largest_body_force = 0;
-    for (const Vec<dim> &acceleration : body_acceleration_)
-      largest_body_force = std::max(largest_body_force, norm(acceleration));
     effects_.cell_stiffness = parameters_.cell_stiffness * parameters_.equation_of_state.front().reference_density() *
-                              largest_body_force * parameters_.spacing;
+                              largest_body_acceleration() * parameters_.spacing;
     cell_volume_at_rest_.clear();
     if (effects_.cell_stiffness > 0)
       for (const auto &cell : mesh_.cells)
@@ -510,63 +517,6 @@ namespace Breakwater
     context_->step_limited_by = name_ + " (" + parameters_.time_step_bound.names().front() + ")";
   }
 
-
-  template <int dim>
-  void PfemFluid<dim>::add_remeshing_row(const RemeshRecord &record, const DomainBalance<dim> &before,
-                                         const DomainBalance<dim> &after)
-  {
-    const double r_regular  = reference_insphere_radius<dim>(parameters_.spacing);
-    const double c          = sound_speed_at_bound_;
-    double       volume     = 0;
-    unsigned int n_isolated = 0;
-    for (std::size_t i = 0; i < nodes_.n; ++i)
-      {
-        volume += nodes_.volume[i];
-        n_isolated += i >= nodes_.n_interface && !nodes_.has_cells[i];
-      }
-    Row row = {{"time [s]", time_},
-               {"nodes [-]", static_cast<double>(nodes_.n)},
-               {"cells [-]", static_cast<double>(mesh_.cells.size())},
-               {"isolated nodes [-]", static_cast<double>(n_isolated)},
-               {"removed nodes [-]", static_cast<double>(record.node_changes.n_removed)},
-               {"inserted nodes [-]", static_cast<double>(record.node_changes.n_inserted)},
-               {"softened nodes [-]", static_cast<double>(n_softened_)},
-               {"insphere bound before smoothing [s]", record.quality_before.smallest_radius / c},
-               {"insphere bound [s]", record.quality_after.smallest_radius / c},
-               {"spectral bound [s]", spectral_bound_},
-               {"bound in use [s]", bound_},
-               {"smallest r [-]", record.quality_after.smallest_radius / r_regular},
-               {"r of 0.1 % [-]", record.quality_after.thousandth},
-               {"r of 1 % [-]", record.quality_after.hundredth},
-               {"median r [-]", record.quality_after.median},
-               {"smoothed nodes [-]", static_cast<double>(record.smoothing.n_moved_nodes)},
-               {"largest smoothing move [m]", record.smoothing.largest_move},
-               {"new triangulation [-]", static_cast<double>(record.triangulation.is_full)},
-               {"flips [-]", static_cast<double>(record.triangulation.n_flips)},
-               {"rebuilt cells [-]", static_cast<double>(record.triangulation.n_rebuilt_cells)},
-               {"triangulation [CPU s]", record.triangulation_seconds},
-               {"smoothing [CPU s]", record.smoothing_seconds},
-               {"transfer [CPU s]", record.transfer_seconds},
-               {"exchange iterations [-]", static_cast<double>(record.exchange.n_iterations)},
-               {"far part of the exchange [-]", far_part_},
-               {"volume correction scale [-]", record.correction_scale},
-               {"nodes put back out of structures [-]", static_cast<double>(record.n_pushed_out)},
-               {"mass change [kg]", after.mass - before.mass},
-               {"mesh volume [m^" + std::to_string(dim) + "]", volume}};
-    for (int d = 0; d < dim; ++d)
-      row.emplace_back(std::string("momentum change ") + "xyz"[d] + " [kg m/s]",
-                       after.momentum[d] - before.momentum[d]);
-    row.emplace_back("kinetic energy change [J]", after.kinetic_energy - before.kinetic_energy);
-    row.emplace_back("potential energy change [J]", after.potential_energy - before.potential_energy);
-    row.emplace_back("internal energy change [J]", after.internal_energy - before.internal_energy);
-    const Vec<3> angular_momentum = nodes_.angular_momentum();
-    for (int d = dim == 2 ? 2 : 0; d < 3; ++d)
-      row.emplace_back(std::string("angular momentum change ") + "xyz"[d] + " [kg m^2/s]",
-                       angular_momentum[d] - record.angular_momentum_before[d]);
-    row.emplace_back("volume made by the mesh [m^" + std::to_string(dim) + "]", volume - record.mesh_volume_before);
-    row.emplace_back("interior volume deficit [-]", interior_volume_deficit(nodes_));
-    context_->table("remeshing").add_row(row);
-  }
 
   template class PfemFluid<2>;
   template class PfemFluid<3>;

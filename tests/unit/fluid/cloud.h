@@ -130,4 +130,24 @@ namespace Breakwater
         nodes.mass[i] = density * nodes.volume[i];
     }
   };
+
+  /// Sums over the nodes, and the least mass.
+  template <int dim>
+  struct Totals
+  {
+    double   mass = 0, kinetic_energy = 0, square_excess = 0, least_mass = 1e300;
+    Vec<dim> momentum;
+
+    explicit Totals(const FluidNodes<dim> &nodes)
+    {
+      for (std::size_t i = 0; i < nodes.n; ++i)
+        {
+          mass += nodes.mass[i];
+          momentum += nodes.velocity(i) * nodes.mass[i];
+          kinetic_energy += 0.5 * nodes.mass[i] * dot(nodes.velocity(i), nodes.velocity(i));
+          square_excess += std::pow(nodes.mass[i] - nodes.density[i] * nodes.volume[i], 2);
+          least_mass = std::min(least_mass, nodes.mass[i]);
+        }
+    }
+  };
 } // namespace Breakwater

@@ -41,24 +41,7 @@ namespace
   }
 
   template <int dim>
-  struct Sums
-  {
-    double   mass = 0, kinetic_energy = 0;
-    Vec<dim> momentum;
-
-    explicit Sums(const FluidNodes<dim> &nodes)
-    {
-      for (std::size_t i = 0; i < nodes.n; ++i)
-        {
-          mass += nodes.mass[i];
-          momentum += nodes.velocity(i) * nodes.mass[i];
-          kinetic_energy += 0.5 * nodes.mass[i] * dot(nodes.velocity(i), nodes.velocity(i));
-        }
-    }
-  };
-
-  template <int dim>
-  void expect_kept(const Sums<dim> &before, const Sums<dim> &after)
+  void expect_kept(const Totals<dim> &before, const Totals<dim> &after)
   {
     EXPECT_NEAR(after.mass / before.mass, 1., 1e-14);
     for (int d = 0; d < dim; ++d)
@@ -82,12 +65,12 @@ TYPED_TEST(NodeManagement, InsertionKeepsMassAndMomentum)
   constexpr int     dim   = TypeParam::value;
   Block<dim>        block = stretched_block<dim>(2.);
   const std::size_t n     = block.nodes.n;
-  const Sums<dim>   before(block.nodes);
+  const Totals<dim> before(block.nodes);
   const NodeChanges changes = manage(block);
   EXPECT_GE(changes.n_inserted, 10u);
   EXPECT_EQ(changes.n_removed, 0u);
   EXPECT_EQ(block.nodes.n, n + changes.n_inserted);
-  expect_kept(before, Sums<dim>(block.nodes));
+  expect_kept(before, Totals<dim>(block.nodes));
 }
 
 
@@ -96,12 +79,12 @@ TYPED_TEST(NodeManagement, MergingKeepsMassAndMomentum)
   constexpr int     dim   = TypeParam::value;
   Block<dim>        block = stretched_block<dim>(0.2);
   const std::size_t n     = block.nodes.n;
-  const Sums<dim>   before(block.nodes);
+  const Totals<dim> before(block.nodes);
   const NodeChanges changes = manage(block);
   EXPECT_GT(changes.n_removed, 10u);
   EXPECT_EQ(changes.n_inserted, 0u);
   EXPECT_EQ(block.nodes.n, n - changes.n_removed);
-  expect_kept(before, Sums<dim>(block.nodes));
+  expect_kept(before, Totals<dim>(block.nodes));
 }
 
 
@@ -118,10 +101,10 @@ TYPED_TEST(NodeManagement, ALoneNodeAtThePlaceOfAnotherIsTakenIn)
                                return std::find(cell.begin(), cell.end(), last) != cell.end();
                              }),
               cells.end());
-  const double mass = Sums<dim>(block.nodes).mass;
+  const double mass = Totals<dim>(block.nodes).mass;
   EXPECT_EQ(manage(block).n_removed, 1u);
   EXPECT_EQ(block.nodes.n, last);
-  EXPECT_NEAR(Sums<dim>(block.nodes).mass / mass, 1., 1e-14);
+  EXPECT_NEAR(Totals<dim>(block.nodes).mass / mass, 1., 1e-14);
 }
 
 
