@@ -73,15 +73,30 @@ namespace Breakwater
 
 
   template <int dim>
-  void GravouilCombescure<dim>::setup(ExplicitDomain<dim> &first, ExplicitDomain<dim> &second, RunContext &context)
+  void GravouilCombescure<dim>::adopt_surfaces(const std::vector<ExplicitDomain<dim> *> &domains,
+                                               const std::vector<Tie>                   &ties)
   {
-    const Vectors none(first.wet_surface().position.size());
-    first_         = {&first, -1., none, first.can_adopt_surface()};
-    second_        = {&second, +1., none, second.can_adopt_surface() && !first_.has_adopted};
-    context_       = &context;
-    is_started_    = false;
-    balance_       = {};
-    pseudo_energy_ = 0;
+    if (ties.size() != 1 || domains.size() != 2)
+      throw InputError("Coupling: two domains can be tied so far, not " + std::to_string(domains.size()) + ".");
+    ExplicitDomain<dim> &first = *domains[ties[0].first], &second = *domains[ties[0].second];
+    first_  = {&first, -1., {}, first.can_adopt_surface()};
+    second_ = {&second, +1., {}, second.can_adopt_surface() && !first_.has_adopted};
+    if (first_.has_adopted)
+      first.adopt_surface(second.wet_surface());
+    else if (second_.has_adopted)
+      second.adopt_surface(first.wet_surface());
+  }
+
+
+  template <int dim>
+  void GravouilCombescure<dim>::setup(RunContext &context)
+  {
+    first_.link_force.assign(first_.surface().position.size(), {});
+    second_.link_force = first_.link_force;
+    context_           = &context;
+    is_started_        = false;
+    balance_           = {};
+    pseudo_energy_     = 0;
     check_surfaces();
     context.note_effect("coupling (Gravouil-Combescure, matching nodes)", true);
   }
@@ -421,7 +436,7 @@ namespace Breakwater
 
 
   template <int dim>
-  Vec<dim> GravouilCombescure<dim>::interface_force() const
+  Vec<dim> GravouilCombescure<dim>::interface_force(unsigned int) const
   {
     Vec<dim> sum;
     for (const Vec<dim> &force : second_.link_force)

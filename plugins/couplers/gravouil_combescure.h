@@ -24,10 +24,11 @@ namespace Breakwater
   public:
     void declare_parameters(ParameterReader &reader) override;
 
-    void   setup(ExplicitDomain<dim> &first, ExplicitDomain<dim> &second, RunContext &context) override;
+    void   adopt_surfaces(const std::vector<ExplicitDomain<dim> *> &domains, const std::vector<Tie> &ties) override;
+    void   setup(RunContext &context) override;
     double advance(double max_time_step) override;
-    const InterfaceBalance &balance() const override { return balance_; }
-    Vec<dim>                interface_force() const override;
+    const InterfaceBalance &balance(unsigned int) const override { return balance_; }
+    Vec<dim>                interface_force(unsigned int tie) const override;
     void                    save(std::ostream &stream) const override;
     void                    load(std::istream &stream) override;
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <sstream>
+#include <stdexcept>
 
 namespace Breakwater
 {
@@ -33,9 +34,16 @@ namespace Breakwater
 
 
   template <int dim>
-  void PfemFluid<dim>::adopt_surface(const WetSurface<dim> &partner)
+  unsigned int PfemFluid<dim>::adopt_surface(const WetSurface<dim> &partner)
   {
-    adopted_ = AdoptedSurface<dim>(partner);
+    return adopted_.append(partner);
+  }
+
+
+  template <int dim>
+  void PfemFluid<dim>::lend_mass(const std::vector<double> &)
+  {
+    throw std::logic_error("a fluid has no mass to lend at the surfaces that it adopted");
   }
 
 

@@ -35,7 +35,8 @@ namespace Breakwater
     void   end_step() override;
 
     const WetSurface<dim> &wet_surface() const override { return adopted_.surface(); }
-    void                   adopt_surface(const WetSurface<dim> &partner) override;
+    unsigned int           adopt_surface(const WetSurface<dim> &partner) override;
+    void                   lend_mass(const std::vector<double> &mass) override;
     bool                   can_adopt_surface() const override { return true; }
     void                   correct_surface(const std::vector<Vec<dim>> &position) override;
 

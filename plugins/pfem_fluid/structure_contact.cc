@@ -8,22 +8,39 @@
 namespace Breakwater
 {
   template <int dim>
-  AdoptedSurface<dim>::AdoptedSurface(const WetSurface<dim> &partner)
-    : surface_(partner)
-    , pieces_of_node_(partner.position.size())
+  unsigned int AdoptedSurface<dim>::append(const WetSurface<dim> &body)
   {
-    for (const auto &facet : partner.facets)
-      if constexpr (dim == 2)
-        pieces_.push_back(facet);
-      else
-        {
-          pieces_.push_back({facet[0], facet[1], facet[2]});
-          pieces_.push_back({facet[0], facet[2], facet[3]});
-        }
-    for (unsigned int f = 0; f < pieces_.size(); ++f)
+    const auto add = [](auto &values, const auto &more) {
+      values.insert(values.end(), more.begin(), more.end());
+    };
+    const unsigned int first       = n_nodes();
+    const std::size_t  first_piece = pieces_.size();
+    add(surface_.position, body.position);
+    add(surface_.velocity, body.velocity);
+    add(surface_.acceleration, body.acceleration);
+    add(surface_.inverse_mass, body.inverse_mass);
+    add(surface_.mass, body.mass);
+    for (auto facet : body.facets)
+      {
+        for (unsigned int &i : facet)
+          i += first;
+        surface_.facets.push_back(facet);
+        if constexpr (dim == 2)
+          pieces_.push_back(facet);
+        else
+          {
+            pieces_.push_back({facet[0], facet[1], facet[2]});
+            pieces_.push_back({facet[0], facet[2], facet[3]});
+          }
+      }
+    end_of_body_.push_back(n_nodes());
+    pieces_of_node_.resize(n_nodes());
+    for (std::size_t f = first_piece; f < pieces_.size(); ++f)
       for (const unsigned int i : pieces_[f])
         pieces_of_node_[i].push_back(f);
+    ++surface_.revision;
     update_normals();
+    return first;
   }
 
 
@@ -138,23 +155,30 @@ namespace Breakwater
   {
     if (empty())
       return 0;
-    Vec<dim> lower = surface_.position[0], upper = surface_.position[0];
-    for (const Vec<dim> &x : surface_.position)
-      for (int d = 0; d < dim; ++d)
-        {
-          lower[d] = std::min(lower[d], x[d]);
-          upper[d] = std::max(upper[d], x[d]);
-        }
+    std::vector<std::array<Vec<dim>, 2>> boxes;
+    for (unsigned int body = 0, i = 0; body < end_of_body_.size(); ++body)
+      {
+        boxes.push_back({surface_.position[i], surface_.position[i]});
+        for (; i < end_of_body_[body]; ++i)
+          for (int d = 0; d < dim; ++d)
+            {
+              boxes[body][0][d] = std::min(boxes[body][0][d], surface_.position[i][d]);
+              boxes[body][1][d] = std::max(boxes[body][1][d], surface_.position[i][d]);
+            }
+      }
 
     unsigned int n_pushed = 0;
     for (std::size_t i = nodes.n_interface; i < nodes.n; ++i)
       {
-        const Vec<dim> x      = nodes.position(i);
-        bool           inside = true;
-        for (int d = 0; d < dim; ++d)
-          inside = inside && x[d] >= lower[d] && x[d] <= upper[d];
-        Foot foot;
-        if (!inside || !nearest(x, largest_depth, foot) || !(foot.distance < 0))
+        const Vec<dim> x         = nodes.position(i);
+        const bool     is_inside = std::any_of(boxes.begin(), boxes.end(), [&x](const auto &box) {
+          bool inside = true;
+          for (int d = 0; d < dim; ++d)
+            inside = inside && x[d] >= box[0][d] && x[d] <= box[1][d];
+          return inside;
+        });
+        Foot           foot;
+        if (!is_inside || !nearest(x, largest_depth, foot) || !(foot.distance < 0))
           continue;
         ++n_pushed;
         Vec<dim> relative = nodes.velocity(i);

@@ -9,7 +9,7 @@
 
 namespace Breakwater
 {
-  /// The surface of another body that the fluid has taken for its own: the first nodes of the fluid, and the facets
+  /// The surfaces of other bodies that the fluid has taken for its own: the first nodes of the fluid, and the facets
   /// between them. It decides which Delaunay cells may be fluid next to it and puts leaked nodes back.
   template <int dim>
   class AdoptedSurface
@@ -18,7 +18,10 @@ namespace Breakwater
     using Cell = typename SimplexMesh<dim>::Cell;
 
     AdoptedSurface() = default;
-    explicit AdoptedSurface(const WetSurface<dim> &partner);
+    explicit AdoptedSurface(const WetSurface<dim> &body) { append(body); }
+
+    /// Adds the surface of one more body. @return the number of its first node
+    unsigned int append(const WetSurface<dim> &body);
 
     bool        empty() const { return surface_.facets.empty(); }
     std::size_t n_nodes() const { return surface_.position.size(); }
@@ -53,7 +56,8 @@ namespace Breakwater
     };
     bool nearest(const Vec<dim> &x, double largest_distance, Foot &foot) const;
 
-    WetSurface<dim> surface_;
+    WetSurface<dim>           surface_;
+    std::vector<unsigned int> end_of_body_; ///< number of the node behind the last one of each body
     /// Facets cut into simplices: segments in 2D, two triangles per quadrilateral in 3D.
     std::vector<std::array<unsigned int, dim>> pieces_;
     std::vector<Vec<dim>>                      normals_; ///< of the pieces, out of the body, unit length

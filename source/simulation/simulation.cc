@@ -161,17 +161,17 @@ namespace Breakwater
 
     if (structure != nullptr)
       structure->setup(structures_.front().name, body_forces, *context_);
+    if (!coupler_.empty())
+      coupler_.front().adopt_surfaces({fluid, structure}, {{structures_.front().name, 0, 1}});
     if (fluid != nullptr)
       {
-        if (structure != nullptr && fluid->can_adopt_surface())
-          fluid->adopt_surface(structure->wet_surface());
         fluid->setup("Fluid", body_forces, *context_);
         domains_.push_back({"Fluid", fluid});
       }
     if (structure != nullptr)
       domains_.push_back({structures_.front().name, structure});
     if (!coupler_.empty())
-      coupler_.front().setup(*fluid, *structure, *context_);
+      coupler_.front().setup(*context_);
 
     std::vector<std::pair<std::string, const ExplicitDomain<dim> *>> seen;
     for (const NamedDomain &domain : domains_)
@@ -285,7 +285,7 @@ namespace Breakwater
         time_step_    = coupler_.front().advance(longest);
         natural_step_ = time_step_ < longest * (1 - 1e-9) ? time_step_ : std::min(coarse_stable_step(), 1.02 * natural);
         if (context_->steps == steps)
-          context_->steps += coupler_.front().balance().n_substeps;
+          context_->steps += coupler_.front().balance(0).n_substeps;
       }
     const double new_time = time_ + time_step_;
     time_                 = event - new_time <= 1e-9 * time_step_ ? event : new_time;

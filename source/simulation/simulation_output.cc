@@ -178,8 +178,8 @@ namespace Breakwater
       domain.domain->add_history(row);
     if (!coupler_.empty())
       {
-        const InterfaceBalance &balance = coupler_.front().balance();
-        const Vec<dim>          force   = coupler_.front().interface_force();
+        const InterfaceBalance &balance = coupler_.front().balance(0);
+        const Vec<dim>          force   = coupler_.front().interface_force(0);
         row.emplace_back("interface energy [J]", balance.energy);
         row.emplace_back("interface velocity gap [m/s]", balance.velocity_gap);
         row.emplace_back("interface displacement drift [m]", balance.displacement_drift);
@@ -348,7 +348,7 @@ namespace Breakwater
                   monitor_.energy_rise.largest() / std::abs(monitor_.initial_potential_energy));
     if (!coupler_.empty())
       {
-        const InterfaceBalance &balance = coupler_.front().balance();
+        const InterfaceBalance &balance = coupler_.front().balance(0);
         summary.add("interface energy [J]", balance.energy);
         summary.add("largest interface velocity gap [m/s]", balance.largest_gap);
         summary.add("interface displacement drift [m]", balance.displacement_drift);

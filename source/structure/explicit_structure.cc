@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <sstream>
+#include <stdexcept>
 
 namespace Breakwater
 {
@@ -145,6 +146,7 @@ namespace Breakwater
     mesh_         = make_solid_mesh<dim>(box_, degree_);
     kernel_       = make_cell_kernel<dim>(mesh_, material_.front());
     mass_         = kernel_->lumped_mass();
+    inertia_      = mass_;
     inverse_mass_ = mass_;
     for (double &mass : inverse_mass_)
       mass = 1 / mass;
@@ -173,8 +175,7 @@ namespace Breakwater
     add_body_forces();
     compute_force();
     for (std::size_t i = 0; i < n_nodes; ++i)
-      if (inverse_mass_[i] > 0)
-        acceleration_[i] = inverse_mass_[i] * force_[i] + body_acceleration_[i] - damping_ * velocity_[i];
+      update_free_acceleration(i);
 
     eigenvalues_ = kernel_->start_eigenvalues();
     bound_frequency();
@@ -198,8 +199,20 @@ namespace Breakwater
   template <int dim>
   double ExplicitStructure<dim>::stable_time_step() const
   {
-    const double xi = damping_ / (2 * largest_frequency_);
-    return fraction_ * 2 / largest_frequency_ * (std::sqrt(1 + xi * xi) - xi);
+    // Inertia that is lent is missing in M' of K <= omega^2 M, and of the damping force, alpha M <= alpha r M'.
+    const double frequency = std::sqrt(largest_mass_ratio_) * largest_frequency_;
+    const double xi        = largest_mass_ratio_ * damping_ / (2 * frequency);
+    return fraction_ * 2 / frequency * (std::sqrt(1 + xi * xi) - xi);
+  }
+
+
+  // Held nodes keep zero.
+  template <int dim>
+  void ExplicitStructure<dim>::update_free_acceleration(const std::size_t i)
+  {
+    if (inverse_mass_[i] > 0)
+      acceleration_[i] =
+        inverse_mass_[i] * force_[i] + mass_[i] / inertia_[i] * (body_acceleration_[i] - damping_ * velocity_[i]);
   }
 
 
@@ -223,7 +236,7 @@ namespace Breakwater
     for (std::size_t i = 0; i < n_nodes; ++i)
       if (inverse_mass_[i] > 0)
         {
-          acceleration_[i] = inverse_mass_[i] * force_[i] + body_acceleration_[i] - damping_ * velocity_[i];
+          update_free_acceleration(i);
           velocity_[i] += (0.5 * time_step) * acceleration_[i];
           for (int d = 0; d < dim; ++d)
             sum += velocity_[i][d];
@@ -322,10 +335,8 @@ namespace Breakwater
     wet_surface_.velocity.resize(wet_nodes_.size());
     wet_surface_.acceleration.resize(wet_nodes_.size());
     wet_surface_.inverse_mass.resize(wet_nodes_.size());
-    for (std::size_t w = 0; w < wet_nodes_.size(); ++w)
-      for (int d = 0; d < dim; ++d)
-        wet_surface_.inverse_mass[w][d] = inverse_mass_[wet_nodes_[w]];
-    wet_surface_.revision = 1;
+    wet_surface_.mass.resize(wet_nodes_.size());
+    update_wet_mass();
     update_wet_surface();
   }
 
@@ -343,7 +354,39 @@ namespace Breakwater
 
 
   template <int dim>
-  void ExplicitStructure<dim>::adopt_surface(const WetSurface<dim> &)
+  void ExplicitStructure<dim>::update_wet_mass()
+  {
+    for (std::size_t w = 0; w < wet_nodes_.size(); ++w)
+      {
+        wet_surface_.mass[w] = inertia_[wet_nodes_[w]];
+        for (int d = 0; d < dim; ++d)
+          wet_surface_.inverse_mass[w][d] = inverse_mass_[wet_nodes_[w]];
+      }
+    ++wet_surface_.revision;
+  }
+
+
+  template <int dim>
+  void ExplicitStructure<dim>::lend_mass(const std::vector<double> &mass)
+  {
+    for (std::size_t w = 0; w < wet_nodes_.size(); ++w)
+      {
+        const unsigned int i = wet_nodes_[w];
+        inertia_[i] -= mass[w];
+        if (!(inertia_[i] > 0))
+          throw std::logic_error("a node lends more mass than it has");
+        if (inverse_mass_[i] > 0)
+          inverse_mass_[i] = 1 / inertia_[i];
+        largest_mass_ratio_ = std::max(largest_mass_ratio_, mass_[i] / inertia_[i]);
+        update_free_acceleration(i);
+      }
+    update_wet_mass();
+    update_wet_surface();
+  }
+
+
+  template <int dim>
+  unsigned int ExplicitStructure<dim>::adopt_surface(const WetSurface<dim> &)
   {
     throw InputError(name_ + ": a structure has a mesh of its own and can't take the surface of another domain");
   }

@@ -14,7 +14,7 @@ namespace Breakwater
 {
   /// A total-Lagrangian solid of hexahedra or quadrilaterals with lumped mass, advanced by velocity Verlet.
   ///
-  /// M a = F_int(u) + M g - alpha M v + link forces. The damping force takes v(n) + dt/2 a(n), as explicit codes do:
+  /// M' a = F_int(u) + M g - alpha M v + link forces, M' = M less what is lent. The damping force takes v(n) + dt/2 a(n), as explicit codes do:
   /// with it the step stays explicit, and stable up to 2/omega (sqrt(1 + xi^2) - xi), xi = alpha / (2 omega)
   /// (Belytschko, Liu, Moran, Nonlinear Finite Elements, 2nd ed., section 6.2). Held nodes never move.
   template <int dim>
@@ -33,8 +33,9 @@ namespace Breakwater
     void   end_step() override;
 
     const WetSurface<dim> &wet_surface() const override { return wet_surface_; }
-    void                   adopt_surface(const WetSurface<dim> &partner) override;
+    unsigned int           adopt_surface(const WetSurface<dim> &partner) override;
     bool                   can_adopt_surface() const override { return false; }
+    void                   lend_mass(const std::vector<double> &mass) override;
     void                   correct_surface(const std::vector<Vec<dim>> &position) override;
 
     DomainBalance<dim> balance() const override;
@@ -44,8 +45,10 @@ namespace Breakwater
     void               load(std::istream &stream) override;
 
   private:
+    void update_free_acceleration(std::size_t node);
     void make_wet_surface();
     void update_wet_surface();
+    void update_wet_mass();
     void compute_force();
     void add_body_forces();
     void bound_frequency();
@@ -72,7 +75,8 @@ namespace Breakwater
     SolidMesh<dim>                   mesh_;
     std::unique_ptr<CellKernel<dim>> kernel_;
     std::vector<double>              mass_;         ///< [kg]
-    std::vector<double>              inverse_mass_; ///< [1/kg], 0 at held nodes
+    std::vector<double>              inertia_;      ///< the mass that is not lent [kg]
+    std::vector<double>              inverse_mass_; ///< of the inertia [1/kg], 0 at held nodes
     WetSurface<dim>                  wet_surface_;
     std::vector<unsigned int>        wet_nodes_; ///< [node of wet_surface_]
 
@@ -81,7 +85,8 @@ namespace Breakwater
     std::vector<Vec<dim>> velocity_;                  ///< [m/s]
     std::vector<Vec<dim>> acceleration_;              ///< [m/s^2], link forces included
     CellEigenvalues       eigenvalues_;               ///< of the cells, for the stable step
-    double                largest_frequency_     = 0; ///< bound on it [rad/s]
+    double                largest_frequency_     = 0; ///< bound on it, with all of the mass [rad/s]
+    double                largest_mass_ratio_    = 1; ///< mass over inertia of a node
     double                smallest_volume_ratio_ = 1; ///< of a cell at the last force evaluation
 
     std::vector<Vec<dim>> position_;          ///< work: current positions [m]

@@ -87,17 +87,23 @@ namespace Breakwater
     /// three: tied nodes may be almost massless, and their acceleration is then not the force over the mass.
     virtual const WetSurface<dim> &wet_surface() const = 0;
 
-    /// Makes the nodes of the partner's wet surface this domain's own (matching meshes): same number, order and
-    /// places, facets of the partner. In its stability half of the partner's mass there (1 / inverse_mass) counts as
-    /// its own; the other half is left to the partner.
+    /// Makes the nodes of another body's wet surface this domain's own: same number, order and places, facets of that
+    /// body, appended to what was adopted before. They carry partner.mass as inertia that came with them, besides what
+    /// this domain has there; it has no weight here.
     /// @pre can_adopt_surface(); called before setup() of this domain and after that of the partner
-    virtual void adopt_surface(const WetSurface<dim> &partner) = 0;
+    /// @return the number of the first of these nodes in wet_surface()
+    virtual unsigned int adopt_surface(const WetSurface<dim> &partner) = 0;
 
     /// True if the domain takes a partner's surface for its own: a fluid does, a structure does not.
     virtual bool can_adopt_surface() const = 0;
 
-    /// Puts the nodes of an adopted surface to the partner's places [m], which differ by what time stepping let
-    /// them drift apart.
+    /// Gives inertia of the nodes of wet_surface() away, for good: `mass` [kg] less resists forces from now on, while
+    /// weight, damping and balance() stay those of the whole. Whoever takes it moves with these nodes.
+    /// @pre one mass per node, less than its wet_surface().mass
+    virtual void lend_mass(const std::vector<double> &mass) = 0;
+
+    /// Puts the nodes of the wet surface to places [m] from which they differ by what time stepping let drift apart.
+    /// @pre one place per node; where nothing was adopted, its present one
     virtual void correct_surface(const std::vector<Vec<dim>> &position) = 0;
 
     virtual DomainBalance<dim> balance() const = 0;

@@ -9,6 +9,7 @@ namespace Breakwater
 {
   /// The surface by which a domain touches others: the nodes that a coupler ties, and the facets between them.
   ///
+  /// It may consist of several bodies' surfaces, one after the other.
   /// Facets are segments in 2D and quadrilaterals in 3D. Their node order gives the normal that points out of the
   /// domain: in 2D the tangent (b - a) turned by -90 degrees, in 3D by the right-hand rule.
   template <int dim>
@@ -20,6 +21,7 @@ namespace Breakwater
     std::vector<Vec<dim>>                                  velocity;     ///< [m/s]
     std::vector<Vec<dim>>                                  acceleration; ///< [m/s^2], link forces included
     std::vector<Vec<dim>>                                  inverse_mass; ///< [1/kg], 0 in a direction that is held
+    std::vector<double>                                    mass;         ///< [kg], held or not
     std::vector<std::array<unsigned int, nodes_per_facet>> facets;
     unsigned int                                           revision = 0; ///< grows when nodes or facets change
   };

@@ -76,8 +76,9 @@ namespace Breakwater
     }
     void                 end_step() override { ++n_ended_steps_; }
     const WetSurface<2> &wet_surface() const override { return surface_; }
-    void                 adopt_surface(const WetSurface<2> &) override {}
+    unsigned int         adopt_surface(const WetSurface<2> &) override { return 0; }
     bool                 can_adopt_surface() const override { return adopts_; }
+    void                 lend_mass(const std::vector<double> &) override {}
     void                 set_adopts(const bool adopts) { adopts_ = adopts; }
     void                 correct_surface(const std::vector<Vec<2>> &position) override
     {

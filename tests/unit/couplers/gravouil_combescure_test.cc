@@ -33,7 +33,8 @@ namespace
     {
       first.setup();
       second.setup();
-      coupling.setup(first, second, *context);
+      coupling.adopt_surfaces({&first, &second}, {{"pair", 0, 1}});
+      coupling.setup(*context);
       start_energy = energy();
     }
     double energy() const { return first.energy() + second.energy(); }
@@ -51,11 +52,11 @@ namespace
   {
     outcome.energy                   = pair.energy() / pair.start_energy;
     outcome.largest_energy           = std::max(outcome.largest_energy, outcome.energy);
-    outcome.interface_energy         = pair.coupling.balance().energy / pair.start_energy;
+    outcome.interface_energy         = pair.coupling.balance(0).energy / pair.start_energy;
     outcome.largest_interface_energy = std::max(outcome.largest_interface_energy, outcome.interface_energy);
     outcome.largest_pseudo_growth =
       std::max(outcome.largest_pseudo_growth, (pair.coupling.pseudo_energy() - pseudo_before) / pair.start_energy);
-    outcome.gap = pair.coupling.balance().largest_gap;
+    outcome.gap = pair.coupling.balance(0).largest_gap;
   }
 
   /// Masses 1 and 0.5 kg on springs of 1 and 3 N/m, tied: u = cos(w t), w^2 = 4 / 1.5, over 10 periods.
@@ -74,7 +75,7 @@ namespace
       {
         const double pseudo_before = pair.coupling.pseudo_energy();
         time += pair.coupling.advance(1.);
-        EXPECT_EQ(pair.coupling.balance().n_substeps, m);
+        EXPECT_EQ(pair.coupling.balance(0).n_substeps, m);
         for (const Chain *chain : {&pair.first, &pair.second})
           outcome.error = std::max(outcome.error, std::abs(chain->tied_displacement() - std::cos(frequency * time)));
         observe(pair, pseudo_before, outcome);
@@ -241,11 +242,12 @@ namespace
     GivenParameters::read(coupling, {});
     first.setup();
     second.setup();
-    coupling.setup(first, second, context);
+    coupling.adopt_surfaces({&first, &second}, {{"pair", 0, 1}});
+    coupling.setup(context);
     EXPECT_DOUBLE_EQ(coupling.advance(1.), 0.5);
-    EXPECT_EQ(coupling.balance().n_substeps, 11u); // 0.1, then 0.4 in steps of 0.04
+    EXPECT_EQ(coupling.balance(0).n_substeps, 11u); // 0.1, then 0.4 in steps of 0.04
     EXPECT_DOUBLE_EQ(coupling.advance(0.3), 0.3);
-    EXPECT_EQ(coupling.balance().n_substeps, 8u);
+    EXPECT_EQ(coupling.balance(0).n_substeps, 8u);
     EXPECT_EQ(first.n_ended_steps(), 2u);
     EXPECT_EQ(second.n_ended_steps(), 19u);
   }
@@ -259,12 +261,12 @@ namespace
           Pair pair = two_bars(40, 2, true, 0, mass);
           pair.first.set_adopts(true);
           const Outcome outcome = run_bars(pair, 40, with_random_steps);
-          EXPECT_EQ(pair.coupling.balance().n_substeps, 1u);
+          EXPECT_EQ(pair.coupling.balance(0).n_substeps, 1u);
           EXPECT_NEAR(outcome.energy, 1, 2e-3);
           EXPECT_LT(outcome.largest_energy, 1.002);
           EXPECT_LT(std::abs(outcome.interface_energy), 1e-14);
           EXPECT_EQ(outcome.gap, 0.);
-          EXPECT_LT(pair.coupling.balance().displacement_drift, 1e-10);
+          EXPECT_LT(pair.coupling.balance(0).displacement_drift, 1e-10);
           EXPECT_EQ(pair.first.wet_surface().position[0][0], pair.second.wet_surface().position[0][0]);
           EXPECT_EQ(pair.first.wet_surface().acceleration[0][0], pair.second.wet_surface().acceleration[0][0]);
         }
@@ -299,7 +301,7 @@ namespace
       {
         time += pair.coupling.advance(0.01);
         EXPECT_NEAR(pair.first.tied_displacement(), std::cos(std::sqrt(2.) * time), 1e-7);
-        EXPECT_NEAR(pair.coupling.interface_force()[0], -std::cos(std::sqrt(2.) * time), 1e-4);
+        EXPECT_NEAR(pair.coupling.interface_force(0)[0], -std::cos(std::sqrt(2.) * time), 1e-4);
       }
   }
 
@@ -311,13 +313,14 @@ namespace
       pair.first.displacement()[i] = 0.01 * i;
     pair.first.setup();
     pair.second.setup();
-    pair.coupling.setup(pair.first, pair.second, *pair.context);
+    pair.coupling.adopt_surfaces({&pair.first, &pair.second}, {{"pair", 0, 1}});
+    pair.coupling.setup(*pair.context);
     for (unsigned int i = 0; i < 200; ++i)
       pair.coupling.advance(1.);
     EXPECT_NEAR(pair.first.tied_displacement(), 0, 1e-12);
     EXPECT_EQ(pair.second.tied_displacement(), 0.);
-    EXPECT_EQ(pair.coupling.interface_force()[1], 0.); // y is held on both sides
-    EXPECT_NE(pair.coupling.interface_force()[0], 0.);
+    EXPECT_EQ(pair.coupling.interface_force(0)[1], 0.); // y is held on both sides
+    EXPECT_NE(pair.coupling.interface_force(0)[0], 0.);
   }
 
 
@@ -340,7 +343,7 @@ namespace
         pair->coupling.advance(1.);
     EXPECT_EQ(whole.first.displacement(), resumed.first.displacement());
     EXPECT_EQ(whole.second.velocity(), resumed.second.velocity());
-    EXPECT_EQ(whole.coupling.balance().energy, resumed.coupling.balance().energy);
+    EXPECT_EQ(whole.coupling.balance(0).energy, resumed.coupling.balance(0).energy);
   }
 
 

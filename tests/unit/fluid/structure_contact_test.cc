@@ -268,6 +268,29 @@ TYPED_TEST(Contact, PushesLeakedNodesOutAndHandsTheirMomentumOn)
 }
 
 
+// Two plates, the second one far to the right: each pushes out of itself, what lies between them is left alone.
+TYPED_TEST(Contact, SeveralBodiesStandOneAfterTheOther)
+{
+  constexpr int   dim    = TypeParam::value;
+  WetSurface<dim> second = plate<dim>();
+  for (Vec<dim> &x : second.position)
+    x[0] += 1;
+  AdoptedSurface<dim> surface(plate<dim>());
+  const unsigned int  n_first = surface.n_nodes();
+  EXPECT_EQ(surface.append(second), n_first);
+  EXPECT_EQ(surface.n_nodes(), 2 * n_first);
+  EXPECT_EQ(surface.surface().facets.back()[0], second.facets.back()[0] + n_first);
+
+  FluidNodes<dim> nodes =
+    nodes_with(surface, {place<dim>(0.5, 0.2, 0.1), place<dim>(0.001, 0.2, 0.1), place<dim>(1.001, 0.2, 0.1)});
+  std::vector<Vec<dim>> impulse(nodes.n_interface);
+  EXPECT_EQ(surface.push_out(nodes, 0.1, impulse), 2u);
+  EXPECT_NEAR(nodes.xp[nodes.n - 3][0], 0.5, 1e-15);
+  EXPECT_NEAR(nodes.xp[nodes.n - 2][0], 0, 1e-12);
+  EXPECT_NEAR(nodes.xp[nodes.n - 1][0], 1, 1e-12);
+}
+
+
 TYPED_TEST(Contact, PushesNothingOutOfNoBody)
 {
   constexpr int             dim = TypeParam::value;

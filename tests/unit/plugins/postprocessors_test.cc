@@ -23,8 +23,9 @@ namespace
     void                   add_link_force(const std::vector<Vec<dim>> &, double) override {}
     void                   end_step() override {}
     const WetSurface<dim> &wet_surface() const override { return surface_; }
-    void                   adopt_surface(const WetSurface<dim> &) override {}
+    unsigned int           adopt_surface(const WetSurface<dim> &) override { return 0; }
     bool                   can_adopt_surface() const override { return false; }
+    void                   lend_mass(const std::vector<double> &) override {}
     void                   correct_surface(const std::vector<Vec<dim>> &) override {}
     DomainBalance<dim>     balance() const override { return {}; }
     void                   add_history(Row &) override {}

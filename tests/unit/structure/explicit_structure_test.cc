@@ -310,6 +310,42 @@ namespace Breakwater
     EXPECT_THROW(Scene<2>(mesh + "set Initial velocity = 1, 1/x\n" + soft), InputError);
   }
 
+  // Whoever borrows the mass moves along: with the inertia that is missing given back as a force, nothing changes.
+  TEST(ExplicitStructure, LentMassIsInertiaOnly)
+  {
+    const std::string   beam = "set Mesh = box(0, 0; 0.3, 0.1; 4, 1)\nset Clamp = left\nset Damping = 3\n" + soft;
+    Scene<2>            whole(beam, true, {{0., -5.}}), lending(beam, true, {{0., -5.}});
+    const auto         &surface   = lending.structure->wet_surface();
+    const double        time_step = 0.3 * whole.structure->stable_time_step();
+    std::vector<double> mass      = surface.mass;
+    for (double &m : mass)
+      m *= 0.5;
+    lending.structure->lend_mass(mass);
+    EXPECT_NEAR(lending.structure->stable_time_step() / whole.structure->stable_time_step(), std::sqrt(0.5), 1e-3);
+    EXPECT_DOUBLE_EQ(surface.mass[0], mass[0]);
+    EXPECT_EQ(lending.structure->balance().mass, whole.structure->balance().mass);
+
+    // At a free node a = (M / M') a_whole; the borrower's force is -m a, a = a_free / 2 of the node with half its mass.
+    const auto borrow = [&](const double step) {
+      std::vector<Vec<2>> force(mass.size());
+      for (std::size_t i = 0; i < mass.size(); ++i)
+        if (surface.inverse_mass[i][0] > 0)
+          force[i] = -0.5 * mass[i] * surface.acceleration[i];
+      lending.structure->add_link_force(force, step);
+    };
+    borrow(0.);
+    for (unsigned int n = 0; n < 100; ++n)
+      {
+        whole.step(time_step);
+        lending.structure->advance_free(time_step);
+        borrow(time_step);
+        lending.structure->end_step();
+      }
+    for (std::size_t i = 0; i < mass.size(); ++i)
+      EXPECT_NEAR(norm(surface.position[i] - whole.structure->wet_surface().position[i]), 0, 2e-6);
+    EXPECT_GT(norm(surface.velocity.back()), 1e-3);
+  }
+
   TEST(ExplicitStructure, RefusesAForeignSurface)
   {
     Scene<2> scene("set Mesh = box(0, 0; 1, 1; 1, 1)\n" + soft);
