@@ -174,8 +174,6 @@ namespace Breakwater
   template <int dim>
   void Getme<dim>::declare_parameters(ParameterReader &reader)
   {
-    reader.add("Threshold", threshold_,
-               "Cells with an insphere smaller than this fraction of that of a regular cell are improved", {0., 1.});
     reader.add("Step", step_, "Length of the first step tried, in the lengths of the transformation [-]", {0.001, 10.});
     reader.add("Trials", n_trials_, "Steps tried for a move, each 0.75 of the one before", 1, 100);
     reader.add("Moves per cell", n_steps_per_cell_, "Largest number of moves, over the number of bad cells", 1, 10000);
@@ -183,12 +181,14 @@ namespace Breakwater
 
 
   template <int dim>
-  SmoothingReport Getme<dim>::smooth(SimplexMesh<dim> &mesh, std::vector<Vec<dim>> &position,
-                                     const std::vector<char> &is_fixed, const double spacing)
+  void Getme<dim>::improve(SimplexMesh<dim> &mesh, std::vector<Vec<dim>> &position, const SmoothingTask &task,
+                           SmoothingReport &)
   {
-    const std::vector<Vec<dim>> before    = position;
-    const double                threshold = threshold_ * reference_insphere_radius<dim>(spacing);
-    Work<dim>                   work(mesh.cells, position, is_fixed);
+    const double      threshold = task.target * reference_insphere_radius<dim>(task.spacing);
+    std::vector<char> is_fixed(position.size());
+    for (std::size_t i = 0; i < position.size(); ++i)
+      is_fixed[i] = task.freedom[i] != NodeFreedom::free;
+    Work<dim> work(mesh.cells, position, is_fixed);
 
     // worst first, then by number; an entry that is out of date, as its cell has changed since, is passed over
     using Candidate = std::pair<double, unsigned int>;
@@ -198,30 +198,18 @@ namespace Breakwater
         queue.emplace(work.radius()[c], c);
     const std::size_t n_most = queue.size() * n_steps_per_cell_;
 
-    SmoothingReport report;
-    while (!queue.empty() && report.n_iterations < n_most)
+    for (std::size_t n_steps = 0; !queue.empty() && n_steps < n_most;)
       {
         const auto [radius, cell] = queue.top();
         queue.pop();
         if (radius != work.radius()[cell])
           continue;
-        ++report.n_iterations;
+        ++n_steps;
         if (work.improve(cell, step_, n_trials_))
           for (const unsigned int other : work.patch())
             if (work.radius()[other] < threshold)
               queue.emplace(work.radius()[other], other);
       }
-
-    for (std::size_t i = 0; i < position.size(); ++i)
-      {
-        const double move = norm(position[i] - before[i]);
-        report.n_moved_nodes += move > 0;
-        report.mean_move += move;
-        report.largest_move = std::max(report.largest_move, move);
-      }
-    if (report.n_moved_nodes > 0)
-      report.mean_move /= report.n_moved_nodes;
-    return report;
   }
 
 

@@ -17,11 +17,11 @@ namespace Breakwater
   public:
     void declare_parameters(ParameterReader &reader) override;
 
-    SmoothingReport smooth(SimplexMesh<dim> &mesh, std::vector<Vec<dim>> &position, const std::vector<char> &is_fixed,
-                           double spacing) override;
+  protected:
+    void improve(SimplexMesh<dim> &mesh, std::vector<Vec<dim>> &position, const SmoothingTask &task,
+                 SmoothingReport &report) override;
 
   private:
-    double       threshold_        = 0.2;
     double       step_             = 0.1;
     unsigned int n_trials_         = 10;
     unsigned int n_steps_per_cell_ = 20;

@@ -89,10 +89,21 @@ namespace Breakwater
     return mesh;
   }
 
+  template <int dim>
+  void order_cells(std::vector<typename SimplexMesh<dim>::Cell> &cells, const std::size_t n_nodes)
+  {
+    for (auto &cell : cells)
+      if (!sort_evenly(cell))
+        std::swap(cell[dim - 1], cell[dim]);
+    sort_by_highest_node<dim>(cells, n_nodes);
+  }
+
   template SimplexMesh<2> alpha_shape<2>(const DelaunayMesh<2> &, double,
                                          const std::function<bool(const SimplexMesh<2>::Cell &)> &,
                                          const std::function<bool(const SimplexMesh<2>::Cell &)> &);
   template SimplexMesh<3> alpha_shape<3>(const DelaunayMesh<3> &, double,
                                          const std::function<bool(const SimplexMesh<3>::Cell &)> &,
                                          const std::function<bool(const SimplexMesh<3>::Cell &)> &);
+  template void           order_cells<2>(std::vector<SimplexMesh<2>::Cell> &, std::size_t);
+  template void           order_cells<3>(std::vector<SimplexMesh<3>::Cell> &, std::size_t);
 } // namespace Breakwater

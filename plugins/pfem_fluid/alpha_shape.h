@@ -24,4 +24,8 @@ namespace Breakwater
     const DelaunayMesh<dim> &triangulation, double largest_circumradius,
     const std::function<bool(const typename SimplexMesh<dim>::Cell &)> &keep,
     const std::function<bool(const typename SimplexMesh<dim>::Cell &)> &is_small_anyway = {});
+
+  /// Puts cells into the order that alpha_shape() gives them; each is rotated so that its highest nodes are its last.
+  template <int dim>
+  void order_cells(std::vector<typename SimplexMesh<dim>::Cell> &cells, std::size_t n_nodes);
 } // namespace Breakwater

@@ -148,6 +148,8 @@ namespace Breakwater
       write_binary(stream, value);
     };
     visit_nodes(nodes_, mesh_, visit);
+    visit(unsmoothed_mesh_.cells);
+    visit(unsmoothed_mesh_.boundary);
     Openings<dim>::visit_state(parameters_.openings, visit);
     visit(received_);
     visit(contact_impulse_);
@@ -172,6 +174,8 @@ namespace Breakwater
       read_binary(stream, value);
     };
     visit_nodes(nodes_, mesh_, visit);
+    visit(unsmoothed_mesh_.cells);
+    visit(unsmoothed_mesh_.boundary);
     nodes_.number_in_triangulation.resize(nodes_.n);
     std::iota(nodes_.number_in_triangulation.begin(), nodes_.number_in_triangulation.end(), 0u);
     triangulation_ = {}; // it is still that of the initial state: make it anew

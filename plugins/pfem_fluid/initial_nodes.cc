@@ -66,9 +66,9 @@ namespace Breakwater
         center += nodes_.position(i) * (1. / (dim + 1));
       return parameters_.initial_state.shape->distance(center) <= 0.1 * parameters_.size(center);
     });
-    set_initial_pressure();
     RemeshRecord record;
     smooth_mesh(record);
+    set_initial_pressure();
     update_volumes();
     classify_nodes();
     for (std::size_t i = 0; i < nodes_.n; ++i)

@@ -74,8 +74,11 @@ namespace Breakwater
                             std::to_string(SizeField<dim>::largest_gradient).substr(0, 3),
                           true);
     context.note_effect("inflow and outflow", !parameters_.openings.empty(), "the scene names no opening");
+    const bool needs_smoothing = parameters_.time_step_bound.names().front() == "Insphere";
     context.note_effect("mesh smoothing", !parameters_.mesh_smoothers.empty(),
-                        "no smoother is named; the spectral bound does not need one");
+                        needs_smoothing ?
+                          "no smoother is named, although the insphere bound vanishes with the worst cell" :
+                          "no smoother is named; the spectral bound does not need one");
 
     body_force_is_uniform_ = true;
     for (const auto &force : body_forces)

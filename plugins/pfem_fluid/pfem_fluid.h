@@ -94,13 +94,13 @@ namespace Breakwater
     bool        let_out(DomainBalance<dim> &before); ///< takes nodes in outflows away, from the balance too
     typename DelaunayMesh<dim>::Report triangulate(
       const std::function<bool(const typename SimplexMesh<dim>::Cell &)> &is_inside = {});
-    void   smooth_mesh(RemeshRecord &record);
     void   classify_nodes();
     void   shift_to_centroids();
     void   correct_volumes(double energy, RemeshRecord &record);
     void   exchange(RemeshRecord &record);
     void   sort_nodes();
     void   set_references();
+    double softened_volume(std::size_t node, double row_sum) const; ///< Vhat [m^dim]
     void   set_cell_stiffness();
     void   update_time_step_bound(const std::vector<Vec<dim>> &position, const std::vector<double> &inertia,
                                   const std::vector<double> &row_sums);
@@ -109,6 +109,12 @@ namespace Breakwater
     double largest_body_acceleration() const; ///< at the last update [m/s^2]
     void   add_remeshing_row(const RemeshRecord &record, const DomainBalance<dim> &before,
                              const DomainBalance<dim> &after);
+
+    // mesh_smoothing.cc
+    void                     smooth_mesh(RemeshRecord &record);
+    std::vector<NodeFreedom> freedom_of_nodes();
+    double                   spectral_bound_of_unsmoothed(); ///< [s]
+    void                     move_to_smoothed(const std::vector<Vec<dim>> &position);
 
     DomainBalance<dim> node_balance(std::size_t node) const;
 
@@ -120,9 +126,10 @@ namespace Breakwater
     const BodyForces<dim> *body_forces_ = nullptr;
     RunContext            *context_     = nullptr;
 
-    FluidNodes<dim>          nodes_;
-    DelaunayMesh<dim>        triangulation_;
-    SimplexMesh<dim>         mesh_;
+    FluidNodes<dim>   nodes_;
+    DelaunayMesh<dim> triangulation_;
+    SimplexMesh<dim>  mesh_;
+    SimplexMesh<dim>  unsmoothed_mesh_; ///< the same after the last remesh, as triangulated; empty without smoothers
     std::vector<CurvedFacet> curved_facets_; ///< of the mesh
     AdoptedSurface<dim>      adopted_;
     ForceEffects             effects_;

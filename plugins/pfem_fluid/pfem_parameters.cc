@@ -88,6 +88,9 @@ namespace Breakwater
     reader.add("Fraction of the bound", fraction_of_bound,
                "The time step as a fraction of the bound [-]. More than 1 is unstable with a sharp bound.", {1e-6, 2.});
     mesh_smoothers.declare_parameters(reader);
+    reader.add("Smoothing target", smoothing_target,
+               "Insphere radius that mesh smoothers shall give the worst cell, in units of the regular cell's [-].",
+               {0., 1.});
     reader.add("Tension", tension,
                "Whether the pressure may fall below zero: `none` for violent flow, `allowed` for calm flow in which "
                "suction matters; walls that the fluid has touched then hold it.",

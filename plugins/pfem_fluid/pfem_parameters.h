@@ -51,6 +51,7 @@ namespace Breakwater
     PluginList<FluidRheology>      rheology;
     PluginList<TimeStepBound<dim>> time_step_bound;
     PluginList<MeshSmoother<dim>>  mesh_smoothers;
+    double                         smoothing_target  = 0.6;
     double                         fraction_of_bound = 0.9;
     std::string                    tension           = "none";
     InitialState<dim>              initial_state;

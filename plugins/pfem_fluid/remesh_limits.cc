@@ -64,7 +64,6 @@ namespace Breakwater
   void PfemFluid<dim>::add_remeshing_row(const RemeshRecord &record, const DomainBalance<dim> &before,
                                          const DomainBalance<dim> &after)
   {
-    const double r_regular  = reference_insphere_radius<dim>(parameters_.spacing);
     const double c          = sound_speed_at_bound_;
     double       volume     = 0;
     unsigned int n_isolated = 0;
@@ -81,20 +80,31 @@ namespace Breakwater
                {"inserted nodes [-]", static_cast<double>(record.node_changes.n_inserted)},
                {"softened nodes [-]", static_cast<double>(n_softened_)},
                {"insphere bound before smoothing [s]", record.quality_before.smallest_radius / c},
+               {"spectral bound before smoothing [s]",
+                parameters_.mesh_smoothers.empty() ? spectral_bound_ : record.spectral_bound_before},
                {"insphere bound [s]", record.quality_after.smallest_radius / c},
                {"spectral bound [s]", spectral_bound_},
                {"bound in use [s]", bound_},
-               {"smallest r [-]", record.quality_after.smallest_radius / r_regular},
+               {"smallest r before smoothing [-]", record.quality_before.smallest},
+               {"r of 0.1 % before smoothing [-]", record.quality_before.thousandth},
+               {"r of 1 % before smoothing [-]", record.quality_before.hundredth},
+               {"median r before smoothing [-]", record.quality_before.median},
+               {"smallest r [-]", record.quality_after.smallest},
                {"r of 0.1 % [-]", record.quality_after.thousandth},
                {"r of 1 % [-]", record.quality_after.hundredth},
                {"median r [-]", record.quality_after.median},
                {"smoothed nodes [-]", static_cast<double>(record.smoothing.n_moved_nodes)},
+               {"mean smoothing move [m]", record.smoothing.mean_move},
                {"largest smoothing move [m]", record.smoothing.largest_move},
+               {"smoothing flips [-]", static_cast<double>(record.smoothing.n_flips)},
+               {"peeled cells [-]", static_cast<double>(record.smoothing.n_peeled_cells)},
+               {"smoothing volume change [m^" + std::to_string(dim) + "]", record.smoothing.volume_change},
+               {"smoothing over triangulation [-]", record.smoothing.seconds / record.triangulation_seconds},
                {"new triangulation [-]", static_cast<double>(record.triangulation.is_full)},
                {"flips [-]", static_cast<double>(record.triangulation.n_flips)},
                {"rebuilt cells [-]", static_cast<double>(record.triangulation.n_rebuilt_cells)},
                {"triangulation [CPU s]", record.triangulation_seconds},
-               {"smoothing [CPU s]", record.smoothing_seconds},
+               {"smoothing [CPU s]", record.smoothing.seconds},
                {"transfer [CPU s]", record.transfer_seconds},
                {"exchange iterations [-]", static_cast<double>(record.exchange.n_iterations)},
                {"far part of the exchange [-]", far_part_},

@@ -4,26 +4,19 @@
 #include "node_management.h"
 #include "pfem_fluid.h"
 
-#include <limits>
+#include <breakwater/mesh/quality_report.h>
 
 namespace Breakwater
 {
-  /// Smallest insphere radius of a mesh, and its distribution in units of the regular cell's.
-  struct QualityReport
-  {
-    double smallest_radius = std::numeric_limits<double>::infinity(); ///< [m]
-    double thousandth = 0, hundredth = 0, median = 0;                 ///< quantiles of r / r_regular [-]
-  };
-
   template <int dim>
   struct PfemFluid<dim>::RemeshRecord
   {
     QualityReport                      quality_before, quality_after; ///< smoothing between
+    double                             spectral_bound_before = 0;     ///< smoothing [s]; not computed without
     SmoothingReport                    smoothing;
     typename DelaunayMesh<dim>::Report triangulation;
     double                             correction_scale      = 0; ///< of the position correction, by the energy limiter
     double                             triangulation_seconds = 0;
-    double                             smoothing_seconds     = 0;
     double                             transfer_seconds      = 0;
     unsigned int                       n_pushed_out          = 0;
     ExchangeReport                     exchange;

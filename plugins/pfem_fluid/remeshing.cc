@@ -19,28 +19,6 @@ namespace Breakwater
   namespace
   {
     template <int dim>
-    QualityReport mesh_quality(const SimplexMesh<dim> &mesh, const std::vector<Vec<dim>> &position,
-                               const double spacing)
-    {
-      QualityReport       report;
-      std::vector<double> radii;
-      radii.reserve(mesh.cells.size());
-      for (const auto &cell : mesh.cells)
-        radii.push_back(insphere_radius(corners(position, cell)));
-      if (radii.empty())
-        return report;
-      const auto quantile = [&](const double fraction) {
-        const auto place = radii.begin() + static_cast<std::size_t>(fraction * (radii.size() - 1));
-        std::nth_element(radii.begin(), place, radii.end());
-        return *place / reference_insphere_radius<dim>(spacing);
-      };
-      report.median          = quantile(0.5);
-      report.hundredth       = quantile(0.01);
-      report.thousandth      = quantile(0.001);
-      report.smallest_radius = *std::min_element(radii.begin(), radii.end());
-      return report;
-    }
-    template <int dim>
     double longest_edge(const Simplex<dim> &x)
     {
       double longest = 0;
@@ -205,7 +183,8 @@ namespace Breakwater
     // A flat cell along a wall has a large circumradius only because its nodes have come close to the wall. Without it
     // there would be a free surface at the wall, deep in the fluid, and the pressure would push into the hole.
     const SizeField<dim>  &size = parameters_.size;
-    const FormerFluid<dim> former(mesh_, nodes_.number_in_triangulation);
+    const FormerFluid<dim> former(parameters_.mesh_smoothers.empty() ? mesh_ : unsmoothed_mesh_,
+                                  nodes_.number_in_triangulation);
     // Around a node that was within the fluid, all was fluid.
     const auto was_within = [this](const unsigned int i) {
       return nodes_.has_cells[i] && !nodes_.is_surface[i];
@@ -247,39 +226,6 @@ namespace Breakwater
     parameters_.walls.note_remesh();
     collect_curved_facets();
     return report;
-  }
-
-
-  template <int dim>
-  void PfemFluid<dim>::smooth_mesh(RemeshRecord &record)
-  {
-    std::vector<Vec<dim>> position = nodes_.positions();
-    record.quality_before = record.quality_after = mesh_quality<dim>(mesh_, position, parameters_.spacing);
-    if (parameters_.mesh_smoothers.empty())
-      return;
-
-    PhaseTimer timer(*context_, Phase::smoothing);
-    classify_nodes();
-    std::vector<char> is_fixed(nodes_.n);
-    for (std::size_t i = 0; i < nodes_.n; ++i)
-      is_fixed[i] = nodes_.is_driven(i) || nodes_.is_surface[i] || !nodes_.walls[i].empty() || !nodes_.has_cells[i];
-    double sum_of_moves = 0;
-    for (std::size_t s = 0; s < parameters_.mesh_smoothers.size(); ++s)
-      {
-        const SmoothingReport report =
-          parameters_.mesh_smoothers[s].smooth(mesh_, position, is_fixed, parameters_.spacing);
-        record.smoothing.n_moved_nodes += report.n_moved_nodes;
-        record.smoothing.n_iterations += report.n_iterations;
-        record.smoothing.largest_move = std::max(record.smoothing.largest_move, report.largest_move);
-        sum_of_moves += report.mean_move * report.n_moved_nodes;
-      }
-    record.smoothing.mean_move = sum_of_moves / std::max(1u, record.smoothing.n_moved_nodes);
-    for (std::size_t i = 0; i < nodes_.n; ++i)
-      for (int d = 0; d < dim; ++d)
-        nodes_.xp[i][d] = position[i][d];
-    nodes_.position_at_remesh = nodes_.xp;
-    record.quality_after      = mesh_quality<dim>(mesh_, position, parameters_.spacing);
-    record.smoothing_seconds  = timer.seconds();
   }
 
 
@@ -441,11 +387,8 @@ namespace Breakwater
   template <int dim>
   void PfemFluid<dim>::set_references()
   {
-    const EquationOfState &state   = parameters_.equation_of_state.front();
-    const double           h       = parameters_.spacing;
-    const double           density = state.reference_density();
-
-    std::vector<double> inertia(nodes_.n);
+    const EquationOfState &state = parameters_.equation_of_state.front();
+    std::vector<double>    inertia(nodes_.n);
     for (std::size_t i = 0; i < nodes_.n; ++i)
       inertia[i] = nodes_.inertia(i);
     const std::vector<Vec<dim>> position = nodes_.positions();
@@ -456,9 +399,8 @@ namespace Breakwater
     for (std::size_t i = 0; i < nodes_.n; ++i)
       {
         nodes_.reference_volume[i] = nodes_.volume[i];
-        const double unsoftened    = std::max(nodes_.volume[i], 0.1 * regular_volume<dim>(h));
-        nodes_.stiffness_volume[i] = std::max(unsoftened, density * h * h * row_sums[i] / parameters_.softening);
-        n_softened_ += nodes_.stiffness_volume[i] > unsoftened;
+        nodes_.stiffness_volume[i] = softened_volume(i, row_sums[i]);
+        n_softened_ += nodes_.stiffness_volume[i] > softened_volume(i, 0.);
         const double c              = state.sound_speed(nodes_.base_density[i]);
         nodes_.hydrostatic_slope[i] = nodes_.base_density[i] / (c * c);
         largest = std::max(largest, nodes_.base_density[i] * c * c / nodes_.stiffness_volume[i] * row_sums[i]);
@@ -466,6 +408,16 @@ namespace Breakwater
     spectral_bound_ = largest > 0 ? 2. / std::sqrt(largest) : std::numeric_limits<double>::infinity();
     update_time_step_bound(position, inertia, row_sums);
     set_cell_stiffness();
+  }
+
+
+  template <int dim>
+  double PfemFluid<dim>::softened_volume(const std::size_t i, const double row_sum) const
+  {
+    const double h = parameters_.spacing;
+    return std::max(
+      {nodes_.volume[i], 0.1 * regular_volume<dim>(h),
+       parameters_.equation_of_state.front().reference_density() * h * h * row_sum / parameters_.softening});
   }
 
 

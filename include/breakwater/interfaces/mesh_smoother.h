@@ -3,17 +3,38 @@
 #include <breakwater/base/plugin.h>
 #include <breakwater/mesh/simplex_mesh.h>
 
+#include <string>
 #include <vector>
 
 namespace Breakwater
 {
+  /// Where a smoother may put a node.
+  enum class NodeFreedom : char
+  {
+    fixed,  ///< stays: edges of walls, bent walls, interface, inflow
+    slides, ///< on the boundary, orthogonally to its area vector dV/dx: surface, flat wall
+    free    ///< anywhere, as long as no cell is inverted: inside
+  };
+
+  /// What a smoother is asked for.
+  struct SmoothingTask
+  {
+    const std::vector<NodeFreedom> &freedom;      ///< of the nodes
+    double                          spacing;      ///< the wanted distance of nodes, h [m]
+    double                          target = 0.6; ///< wanted smallest insphere radius, in units of the regular cell's
+  };
+
   /// What a smoother did.
   struct SmoothingReport
   {
-    unsigned int n_moved_nodes = 0;
-    unsigned int n_iterations  = 0;
-    double       mean_move     = 0; ///< of the moved nodes [m]
-    double       largest_move  = 0; ///< [m]
+    unsigned int n_moved_nodes  = 0;
+    unsigned int n_flips        = 0; ///< of edges and facets
+    unsigned int n_peeled_cells = 0; ///< taken off the surface
+    double       mean_move      = 0; ///< of the moved nodes [m]
+    double       largest_move   = 0; ///< [m]
+    double       peeled_volume  = 0; ///< of those [m^dim]
+    double       volume_change  = 0; ///< of the mesh [m^dim]
+    double       seconds        = 0; ///< CPU time
   };
 
   /// Improves a simplex mesh by moving nodes or changing cells.
@@ -24,12 +45,30 @@ namespace Breakwater
     static constexpr const char *interface_name = "mesh smoother";
     static constexpr int         dimension      = dim;
 
-    /// Improves the mesh in place.
-    /// @param mesh valid on entry and exit: no inverted cell
+    /// Improves the mesh in place and tells what it did. In a debug build the result is checked, see
+    /// smoothing_violation().
+    /// @param mesh no cell is inverted; the order of cells and boundary facets may change
     /// @param position of the nodes [m]
-    /// @param is_fixed nodes that must not move: walls, interface, free surface
-    /// @param spacing the wanted distance of nodes, h [m]
-    virtual SmoothingReport smooth(SimplexMesh<dim> &mesh, std::vector<Vec<dim>> &position,
-                                   const std::vector<char> &is_fixed, double spacing) = 0;
+    SmoothingReport smooth(SimplexMesh<dim> &mesh, std::vector<Vec<dim>> &position, const SmoothingTask &task);
+
+  protected:
+    /// What smooth() does to the mesh. Flips and peeled cells are to be counted in the report; the rest is measured.
+    /// @post no violation, see smoothing_violation()
+    virtual void improve(SimplexMesh<dim> &mesh, std::vector<Vec<dim>> &position, const SmoothingTask &task,
+                         SmoothingReport &report) = 0;
   };
+
+  /// Number and lengths of the nodes' moves, for the report.
+  template <int dim>
+  void measure_moves(const std::vector<Vec<dim>> &before, const std::vector<Vec<dim>> &after, SmoothingReport &report);
+
+  /// Checks what every smoother owes: no cell is inverted (the smallest signed insphere radius is not negative, or at
+  /// least what it was), fixed nodes stay, every node keeps a cell, `boundary` is that of the cells and the same as
+  /// before except for peeled cells, facets between fixed nodes stay even so, and the volume is kept to round-off but
+  /// for that of peeled cells.
+  /// @return the first violation in words, empty if there is none
+  template <int dim>
+  std::string smoothing_violation(const SimplexMesh<dim> &mesh_before, const std::vector<Vec<dim>> &before,
+                                  const SimplexMesh<dim> &mesh_after, const std::vector<Vec<dim>> &after,
+                                  const SmoothingTask &task, const SmoothingReport &report);
 } // namespace Breakwater

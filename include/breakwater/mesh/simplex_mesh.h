@@ -23,11 +23,11 @@ namespace Breakwater
   typename SimplexMesh<dim>::Facet outward_facet(const typename SimplexMesh<dim>::Cell &cell, const int opposite)
   {
     if constexpr (dim == 2)
-      return {cell[(opposite + 1) % 3], cell[(opposite + 2) % 3]};
+      return {{cell[(opposite + 1) % 3], cell[(opposite + 2) % 3]}};
     else
       {
         static constexpr int corners[4][3] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};
-        return {cell[corners[opposite][0]], cell[corners[opposite][1]], cell[corners[opposite][2]]};
+        return {{cell[corners[opposite][0]], cell[corners[opposite][1]], cell[corners[opposite][2]]}};
       }
   }
 } // namespace Breakwater

@@ -16,9 +16,9 @@ namespace
   template <int dim>
   struct TestMesh
   {
-    SimplexMesh<dim>      mesh;
-    std::vector<Vec<dim>> position;
-    std::vector<char>     is_fixed;
+    SimplexMesh<dim>         mesh;
+    std::vector<Vec<dim>>    position;
+    std::vector<NodeFreedom> freedom;
 
     /// Insphere radius of a cell over that of a regular one.
     double radius(const std::size_t cell) const
@@ -60,7 +60,7 @@ namespace
             is_boundary                   = is_boundary || coordinate == 0 || coordinate == n;
           }
         result.position.push_back(x);
-        result.is_fixed.push_back(is_boundary);
+        result.freedom.push_back(is_boundary ? NodeFreedom::fixed : NodeFreedom::free);
       }
     std::vector<std::vector<std::size_t>> cells_at(n_nodes);
     for (unsigned int i = 0; i < n_nodes; ++i)
@@ -90,7 +90,7 @@ namespace
     std::uniform_real_distribution<double> move(-0.3, 0.3);
     for (unsigned int pass = 0; pass < 4; ++pass)
       for (unsigned int i = 0; i < n_nodes; ++i)
-        if (!result.is_fixed[i])
+        if (result.freedom[i] == NodeFreedom::free)
           {
             const Vec<dim> before = result.position[i];
             for (int d = 0; d < dim; ++d)
@@ -104,16 +104,15 @@ namespace
 
   /// Smooths random meshes and checks what GETMe promises. @return mean smallest radius before and after
   template <int dim>
-  std::pair<double, double> fuzz(const unsigned int n, const unsigned int n_meshes, const std::string &threshold)
+  std::pair<double, double> fuzz(const unsigned int n, const unsigned int n_meshes, const double target)
   {
     double before = 0, after = 0;
     for (unsigned int seed = 0; seed < n_meshes; ++seed)
       {
-        TestMesh<dim>       mesh     = random_mesh<dim>(n, seed);
-        const TestMesh<dim> original = mesh;
-        Getme<dim>          getme;
-        GivenParameters::read(getme, {{"Threshold", threshold}});
-        const SmoothingReport report = getme.smooth(mesh.mesh, mesh.position, mesh.is_fixed, 1.);
+        TestMesh<dim>         mesh     = random_mesh<dim>(n, seed);
+        const TestMesh<dim>   original = mesh;
+        Getme<dim>            getme;
+        const SmoothingReport report = getme.smooth(mesh.mesh, mesh.position, {mesh.freedom, 1., target});
 
         before += original.smallest_radius() / n_meshes;
         after += mesh.smallest_radius() / n_meshes;
@@ -125,7 +124,7 @@ namespace
           {
             const double distance = norm(mesh.position[i] - original.position[i]);
             n_moved += distance > 0;
-            EXPECT_TRUE(distance == 0 || !mesh.is_fixed[i]);
+            EXPECT_TRUE(distance == 0 || mesh.freedom[i] == NodeFreedom::free);
             EXPECT_LE(distance, report.largest_move);
           }
         EXPECT_EQ(n_moved, report.n_moved_nodes);
@@ -135,8 +134,8 @@ namespace
 
   TEST(Getme, NeverMakesTheWorstCellWorse)
   {
-    const auto [before_2d, after_2d] = fuzz<2>(20, 20, "0.3");
-    const auto [before_3d, after_3d] = fuzz<3>(8, 10, "0.3");
+    const auto [before_2d, after_2d] = fuzz<2>(20, 20, 0.3);
+    const auto [before_3d, after_3d] = fuzz<3>(8, 10, 0.3);
     std::printf("mean smallest radius, of a regular cell's: 2D %.5f to %.3f, 3D %.5f to %.3f\n", before_2d, after_2d,
                 before_3d, after_3d);
     EXPECT_GT(after_2d, 0.1);
@@ -153,11 +152,11 @@ namespace
     sliver.mesh.cells.push_back({0, 1, 2, 3});
     if (sliver.radius(0) < 0)
       std::swap(sliver.mesh.cells[0][2], sliver.mesh.cells[0][3]);
-    sliver.is_fixed.assign(4, false);
+    sliver.freedom.assign(4, NodeFreedom::free);
     EXPECT_LT(sliver.radius(0), 0.06);
     Getme<3> getme;
-    GivenParameters::read(getme, {{"Threshold", "0.9"}, {"Moves per cell", "100"}});
-    getme.smooth(sliver.mesh, sliver.position, sliver.is_fixed, 1.);
+    GivenParameters::read(getme, {{"Moves per cell", "100"}});
+    getme.smooth(sliver.mesh, sliver.position, {sliver.freedom, 1., 0.9});
     EXPECT_GT(sliver.radius(0), 0.9);
   }
 
@@ -166,11 +165,9 @@ namespace
     TestMesh<2> mesh     = random_mesh<2>(6, 1);
     const auto  position = mesh.position;
     Getme<2>    getme;
-    GivenParameters::read(getme, {{"Threshold", "0"}});
-    EXPECT_EQ(getme.smooth(mesh.mesh, mesh.position, mesh.is_fixed, 1.).n_moved_nodes, 0u);
-    GivenParameters::read(getme, {{"Threshold", "0.9"}});
-    std::fill(mesh.is_fixed.begin(), mesh.is_fixed.end(), true);
-    EXPECT_EQ(getme.smooth(mesh.mesh, mesh.position, mesh.is_fixed, 1.).n_moved_nodes, 0u);
+    EXPECT_EQ(getme.smooth(mesh.mesh, mesh.position, {mesh.freedom, 1., 0.}).n_moved_nodes, 0u);
+    std::fill(mesh.freedom.begin(), mesh.freedom.end(), NodeFreedom::fixed);
+    EXPECT_EQ(getme.smooth(mesh.mesh, mesh.position, {mesh.freedom, 1., 0.9}).n_moved_nodes, 0u);
     for (std::size_t i = 0; i < position.size(); ++i)
       EXPECT_EQ(norm(mesh.position[i] - position[i]), 0.);
   }
