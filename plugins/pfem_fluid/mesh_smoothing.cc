@@ -59,9 +59,9 @@ namespace Breakwater
         const bool is_on_one_plane =
           std::distance(walls.begin(), walls.end()) == 1 && !parameters_.walls.is_curved(walls);
         if (walls.empty())
-          freedom[i] = nodes_.is_surface[i] ? NodeFreedom::slides : NodeFreedom::free;
+          freedom[i] = nodes_.is_surface[i] ? NodeFreedom::slides_on_surface : NodeFreedom::free;
         else if (is_on_one_plane && !nodes_.is_surface[i])
-          freedom[i] = NodeFreedom::slides;
+          freedom[i] = NodeFreedom::slides_on_wall;
       }
     return freedom;
   }

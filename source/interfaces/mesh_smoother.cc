@@ -69,16 +69,17 @@ namespace Breakwater
       return result;
     }
 
-    /// True if every facet between fixed nodes is in both lists or in none; both are in rising order.
+    /// True if every facet of the first list that has no node on the free surface is in the second; both are in rising
+    /// order.
     template <class Facet>
-    bool same_between_fixed(const std::vector<Facet> &a, const std::vector<Facet> &b,
-                            const std::vector<NodeFreedom> &freedom)
+    bool has_all_off_surface(const std::vector<Facet> &a, const std::vector<Facet> &b,
+                             const std::vector<NodeFreedom> &freedom)
     {
       std::vector<Facet> lost;
       std::set_difference(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(lost));
       return std::none_of(lost.begin(), lost.end(), [&](const Facet &facet) {
         return std::all_of(facet.begin(), facet.end(), [&](const unsigned int node) {
-          return freedom[node] == NodeFreedom::fixed;
+          return freedom[node] != NodeFreedom::slides_on_surface;
         });
       });
     }
@@ -149,8 +150,8 @@ namespace Breakwater
       return "the boundary is not that of the cells";
     if (report.n_peeled_cells == 0 && boundary != old_boundary)
       return "the boundary has changed";
-    if (!same_between_fixed(old_boundary, boundary, task.freedom))
-      return "a facet between fixed nodes has been opened";
+    if (!has_all_off_surface(old_boundary, boundary, task.freedom))
+      return "a facet off the free surface has been opened";
 
     const double volume = volume_of(mesh_before, before), new_volume = volume_of(mesh_after, after);
     if (!(std::abs(new_volume + report.peeled_volume - volume) <= 1e-12 * volume))

@@ -8,13 +8,20 @@
 
 namespace Breakwater
 {
-  /// Where a smoother may put a node.
+  /// Where a smoother may put a node. What slides does so orthogonally to the node's area vector dV/dx, which keeps the
+  /// volume.
   enum class NodeFreedom : char
   {
-    fixed,  ///< stays: edges of walls, bent walls, interface, inflow
-    slides, ///< on the boundary, orthogonally to its area vector dV/dx: surface, flat wall
-    free    ///< anywhere, as long as no cell is inverted: inside
+    fixed,             ///< stays: edges of walls, bent walls, lines where surface and wall meet, interface, inflow
+    slides_on_wall,    ///< on one flat wall
+    slides_on_surface, ///< on the free surface; only facets with such a node may be opened
+    free               ///< anywhere, as long as no cell is inverted: inside
   };
+
+  constexpr bool slides(const NodeFreedom freedom)
+  {
+    return freedom == NodeFreedom::slides_on_wall || freedom == NodeFreedom::slides_on_surface;
+  }
 
   /// What a smoother is asked for.
   struct SmoothingTask
@@ -64,7 +71,8 @@ namespace Breakwater
 
   /// Checks what every smoother owes: no cell is inverted (the smallest signed insphere radius is not negative, or at
   /// least what it was), fixed nodes stay, every node keeps a cell, `boundary` is that of the cells and the same as
-  /// before except for peeled cells, facets between fixed nodes stay even so, and the volume is kept to round-off but
+  /// before except for peeled cells, facets without a
+  /// node that slides on the surface stay even so, and the volume is kept to round-off but
   /// for that of peeled cells.
   /// @return the first violation in words, empty if there is none
   template <int dim>

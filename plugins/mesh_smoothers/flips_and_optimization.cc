@@ -1,0 +1,143 @@
+#include "flips_and_optimization.h"
+
+#include "flips.h"
+#include "node_step.h"
+#include "peel.h"
+
+#include <breakwater/base/parameter_reader.h>
+
+#include <algorithm>
+
+namespace Breakwater
+{
+  namespace
+  {
+    template <int dim>
+    class Repair
+    {
+    public:
+      Repair(StarMesh<dim> &mesh, const double largest_peel, SmoothingReport &report)
+        : mesh_(mesh)
+        , flips_(mesh)
+        , node_step_(mesh)
+        , peel_(mesh, largest_peel)
+        , report_(report)
+        , changed_in_(mesh.positions().size(), 0)
+      {
+      }
+
+      void run(const unsigned int n_passes)
+      {
+        const unsigned int n_cells = mesh_.n_cells();
+        for (unsigned int c = 0; c < n_cells; ++c)
+          if (is_bad(c))
+            flip(c);
+        for (pass_ = 1; pass_ <= n_passes && repair_worst_first(); ++pass_)
+          {
+          }
+        peel_.finish();
+        report_.n_peeled_cells = peel_.n_cells();
+        report_.peeled_volume  = peel_.volume();
+      }
+
+    private:
+      bool is_bad(const unsigned int c) const { return mesh_.is_alive(c) && mesh_.r(c) < mesh_.target(); }
+
+      bool flip(const unsigned int c)
+      {
+        const unsigned int n = flips_.improve(c);
+        report_.n_flips += n;
+        for (const unsigned int node : flips_.touched())
+          note_change(node);
+        return n > 0;
+      }
+
+      void note_change(const unsigned int node) { changed_in_[node] = pass_; }
+
+      /// What was tried in vain and has not changed since is not tried again.
+      bool may_help(const unsigned int c) const
+      {
+        const auto &cell = mesh_.cell(c);
+        return pass_ == 1 || std::any_of(cell.begin(), cell.end(), [this](const unsigned int node) {
+                 return changed_in_[node] + 1 >= pass_;
+               });
+      }
+
+      /// @return whether a further pass may help
+      bool repair_worst_first()
+      {
+        std::vector<unsigned int> bad;
+        for (unsigned int c = 0; c < mesh_.n_cells(); ++c)
+          if (is_bad(c))
+            bad.push_back(c);
+        std::sort(bad.begin(), bad.end(), [this](const unsigned int a, const unsigned int b) {
+          return mesh_.r(a) < mesh_.r(b) || (mesh_.r(a) == mesh_.r(b) && a < b);
+        });
+        bool has_changed = false;
+        for (const unsigned int c : bad)
+          if (is_bad(c) && may_help(c))
+            has_changed = flip(c) || move_nodes(c) || has_changed;
+        for (const unsigned int c : bad)
+          if (is_bad(c))
+            has_changed = peel(c) || has_changed;
+        return has_changed;
+      }
+
+      bool peel(const unsigned int c)
+      {
+        const auto cell = mesh_.cell(c);
+        if (!peel_.try_cell(c))
+          return false;
+        for (const unsigned int node : cell)
+          note_change(node);
+        return true;
+      }
+
+      bool move_nodes(const unsigned int c)
+      {
+        const auto cell      = mesh_.cell(c);
+        bool       has_moved = false;
+        for (const unsigned int node : cell)
+          if (is_bad(c) && node_step_.improve(node, 1.05 * mesh_.target()))
+            {
+              has_moved = true;
+              for (const unsigned int other : mesh_.star(node))
+                for (const unsigned int neighbor : mesh_.cell(other))
+                  note_change(neighbor);
+            }
+        return has_moved;
+      }
+
+      StarMesh<dim>            &mesh_;
+      Flips<dim>                flips_;
+      NodeStep<dim>             node_step_;
+      Peel<dim>                 peel_;
+      SmoothingReport          &report_;
+      std::vector<unsigned int> changed_in_; ///< the last pass in which something around a node changed
+      unsigned int              pass_ = 0;
+    };
+  } // namespace
+
+
+  template <int dim>
+  void FlipsAndOptimization<dim>::declare_parameters(ParameterReader &reader)
+  {
+    reader.add("Passes", n_passes_, "Largest number of passes over the bad cells after the first flips.", 0, 100);
+    reader.add("Largest peel", largest_peel_,
+               "Slender cells of the free surface may be taken away up to this part of the mesh's volume [-].",
+               {0., 0.01});
+  }
+
+
+  template <int dim>
+  void FlipsAndOptimization<dim>::improve(SimplexMesh<dim> &mesh, std::vector<Vec<dim>> &position,
+                                          const SmoothingTask &task, SmoothingReport &report)
+  {
+    StarMesh<dim> work(mesh, position, task);
+    Repair<dim>(work, largest_peel_, report).run(n_passes_);
+    work.finish();
+  }
+
+  template class FlipsAndOptimization<2>;
+  template class FlipsAndOptimization<3>;
+} // namespace Breakwater

@@ -1,0 +1,42 @@
+#pragma once
+
+#include "star_mesh.h"
+
+#include <vector>
+
+namespace Breakwater
+{
+  /// Moves one node so that the smallest r of the cells around it grows.
+  ///
+  /// A proximal bundle step (Lemarechal; Freitag, Jones and Plassmann 1999 for the use on meshes): with r_i and the
+  /// gradients g_i of the cells of the star in the node's place, the step d maximizes min_i (r_i + g_i . d) -
+  /// |d|^2 / (2 D). Its dual, min over l >= 0, sum l_i = 1, of sum l_i r_i + D/2 |sum l_i g_i|^2, is solved by the
+  /// Frank-Wolfe algorithm with exact line search; d = D sum l_i g_i. D grows where the model is good and shrinks where
+  /// it is not. Nodes that slide go along the projected gradients, orthogonally to their area vector, and turn no facet
+  /// of the boundary over.
+  template <int dim>
+  class NodeStep
+  {
+  public:
+    explicit NodeStep(StarMesh<dim> &mesh);
+
+    /// Moves the node until the smallest r of its star is `wanted` or no step helps. @return whether it moved
+    bool improve(unsigned int node, double wanted);
+
+  private:
+    /// r of the cells of the star with the node at x. @return false as soon as one is not larger than `least`
+    bool evaluate(unsigned int node, const Vec<dim> &x, double least);
+    void update_gradients(unsigned int node);
+    /// The step for a proximal parameter, at most a quarter of the spacing. @return what the model says it gains
+    double   model_step(double proximal, double smallest, Vec<dim> &step) const;
+    Vec<dim> within_reach(unsigned int node, const Vec<dim> &step) const;
+
+    StarMesh<dim>                                &mesh_;
+    const std::vector<Vec<dim>>                   start_; ///< places before all moves [m]
+    std::vector<double>                           r_, new_r_;
+    std::vector<Vec<dim>>                         gradient_; ///< of r by the node's place in units of the spacing [-]
+    bool                                          slides_ = false;
+    Vec<dim>                                      area_; ///< of a node that slides
+    std::vector<typename SimplexMesh<dim>::Facet> facets_;
+  };
+} // namespace Breakwater

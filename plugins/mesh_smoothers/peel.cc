@@ -1,0 +1,111 @@
+#include "peel.h"
+
+#include <algorithm>
+
+namespace Breakwater
+{
+  namespace
+  {
+    /// The same facet, the same side up, with its lowest node first.
+    template <class Facet>
+    Facet rotated(Facet facet)
+    {
+      if (facet.size() > 2)
+        std::rotate(facet.begin(), std::min_element(facet.begin(), facet.end()), facet.end());
+      return facet;
+    }
+  } // namespace
+
+
+  template <int dim>
+  Peel<dim>::Peel(StarMesh<dim> &mesh, const double largest_part)
+    : mesh_(mesh)
+  {
+    for (unsigned int c = 0; c < mesh.n_cells(); ++c)
+      if (mesh.is_alive(c))
+        allowed_volume_ += largest_part * signed_volume(mesh.corners_of(c));
+  }
+
+
+  template <int dim>
+  bool Peel<dim>::is_exposed(const unsigned int c, const Facet &facet) const
+  {
+    for (const unsigned int other : mesh_.star(facet[0]))
+      {
+        const auto &cell = mesh_.cell(other);
+        const auto  has  = [&](const unsigned int node) {
+          return std::find(cell.begin(), cell.end(), node) != cell.end();
+        };
+        if (other != c && std::all_of(facet.begin(), facet.end(), has))
+          return false;
+      }
+    return true;
+  }
+
+
+  template <int dim>
+  double Peel<dim>::height(const unsigned int c) const
+  {
+    double largest = 0; // area vector: facet's measure over dim
+    for (const Vec<dim> &area : area_vectors(mesh_.corners_of(c)))
+      largest = std::max(largest, norm(area));
+    return largest > 0 ? signed_volume(mesh_.corners_of(c)) / largest : 0.;
+  }
+
+
+  template <int dim>
+  bool Peel<dim>::try_cell(const unsigned int c)
+  {
+    constexpr double largest_height = 0.35;
+    const auto       cell           = mesh_.cell(c);
+    for (const unsigned int node : cell)
+      if (!mesh_.is_on_boundary(node) || mesh_.star(node).size() < 2)
+        return false;
+    const double volume = signed_volume(mesh_.corners_of(c));
+    if (height(c) > largest_height * mesh_.spacing() || volume_ + volume > allowed_volume_)
+      return false;
+
+    std::vector<Facet> opened, closed;
+    for (int a = 0; a <= dim; ++a)
+      {
+        Facet facet = outward_facet<dim>(cell, a);
+        if (!is_exposed(c, facet))
+          {
+            std::swap(facet[0], facet[1]);
+            opened.push_back(rotated(facet));
+            continue;
+          }
+        if (std::none_of(facet.begin(), facet.end(), [this](const unsigned int node) {
+              return mesh_.freedom(node) == NodeFreedom::slides_on_surface;
+            }))
+          return false;
+        closed.push_back(rotated(facet));
+      }
+    if (closed.empty())
+      return false;
+    mesh_.remove(c);
+    opened_.insert(opened_.end(), opened.begin(), opened.end());
+    closed_.insert(closed_.end(), closed.begin(), closed.end());
+    ++n_cells_;
+    volume_ += volume;
+    return true;
+  }
+
+
+  template <int dim>
+  void Peel<dim>::finish()
+  {
+    if (n_cells_ == 0)
+      return;
+    std::vector<Facet> all = opened_, result;
+    for (const Facet &facet : mesh_.mesh().boundary)
+      all.push_back(rotated(facet));
+    std::sort(all.begin(), all.end());
+    std::sort(closed_.begin(), closed_.end());
+    std::set_difference(all.begin(), all.end(), closed_.begin(), closed_.end(), std::back_inserter(result));
+    mesh_.mesh().boundary = result;
+  }
+
+  template class Peel<2>;
+  template class Peel<3>;
+} // namespace Breakwater

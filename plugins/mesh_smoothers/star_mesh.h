@@ -1,0 +1,115 @@
+#pragma once
+
+#include <breakwater/interfaces/mesh_smoother.h>
+#include <breakwater/mesh/quality.h>
+
+#include <array>
+#include <vector>
+
+namespace Breakwater
+{
+  /// A mesh while it is smoothed: knows the star of each node (the cells that have it) and the quality r of each cell,
+  /// the insphere radius in units of the regular cell's.
+  template <int dim>
+  class StarMesh
+  {
+  public:
+    using Cell  = typename SimplexMesh<dim>::Cell;
+    using Facet = typename SimplexMesh<dim>::Facet;
+
+    /// Works on the mesh and the positions in place; finish() must be called when cells have been replaced.
+    StarMesh(SimplexMesh<dim> &mesh, std::vector<Vec<dim>> &position, const SmoothingTask &task);
+
+    std::size_t                  n_cells() const { return mesh_.cells.size(); }
+    const Cell                  &cell(const unsigned int c) const { return mesh_.cells[c]; }
+    double                       r(const unsigned int c) const { return r_[c]; }
+    const Vec<dim>              &position(const unsigned int node) const { return position_[node]; }
+    const std::vector<Vec<dim>> &positions() const { return position_; }
+    NodeFreedom                  freedom(const unsigned int node) const { return task_.freedom[node]; }
+    double                       spacing() const { return task_.spacing; }
+    double                       target() const { return task_.target; }
+
+    /// False for cells that have been replaced by fewer.
+    bool is_alive(const unsigned int c) const { return mesh_.cells[c][0] != mesh_.cells[c][1]; }
+
+    struct Star
+    {
+      const unsigned int *first, *last;
+      const unsigned int *begin() const { return first; }
+      const unsigned int *end() const { return last; }
+      std::size_t         size() const { return last - first; }
+    };
+    Star star(const unsigned int node) const
+    {
+      const Row &row = rows_[node];
+      return {entries_.data() + row.begin, entries_.data() + row.begin + row.size};
+    }
+
+    Simplex<dim> corners_of(const unsigned int c) const { return corners(position_, mesh_.cells[c]); }
+
+    /// r of a cell with these corners.
+    double quality(const Simplex<dim> &x) const
+    {
+      const Simplex<dim> area = area_vectors(x);
+      double             sum  = 0;
+      for (int a = 0; a <= dim; ++a)
+        sum += norm(area[a]);
+      return sum > 0 ? dot(area[1], x[1] - x[0]) / sum * inverse_radius_ : 0.;
+    }
+
+    /// The smallest r of a star.
+    double smallest(const unsigned int node) const;
+
+    /// Puts a node elsewhere.
+    /// @param r of the cells of its star there, in their order
+    void move(unsigned int node, const Vec<dim> &x, const std::vector<double> &r);
+    void move(unsigned int node, const Vec<dim> &x);
+
+    /// Replaces cells by others that fill the same place; numbers of the new ones are put into `numbers`.
+    void replace(const std::vector<unsigned int> &old_cells, const std::vector<Cell> &new_cells,
+                 std::vector<unsigned int> &numbers);
+
+    /// Takes a cell away.
+    void remove(unsigned int c);
+
+    /// Area vector of a node, dV/dx [m^(dim - 1)]: it depends on its neighbours only.
+    Vec<dim> area_vector(unsigned int node) const;
+
+    /// The facets of the boundary that have a node, with their normals out of the mesh.
+    void boundary_facets(unsigned int node, std::vector<Facet> &facets) const;
+
+    /// True if all boundary facets at a node that slides lie the same way up as its area vector has them; the facets
+    /// are those of boundary_facets().
+    bool faces_outward(const std::vector<Facet> &facets, const Vec<dim> &area_vector) const;
+
+    bool is_on_boundary(const unsigned int node) const { return is_on_boundary_[node]; }
+
+    SimplexMesh<dim> &mesh() { return mesh_; }
+
+    /// Takes dead cells out of the mesh.
+    void finish();
+
+  private:
+    struct Row
+    {
+      unsigned int begin = 0, size = 0, capacity = 0;
+    };
+    void add_to_star(unsigned int node, unsigned int c);
+    void remove_from_star(unsigned int node, unsigned int c);
+
+    SimplexMesh<dim>         &mesh_;
+    std::vector<Vec<dim>>    &position_;
+    const SmoothingTask      &task_;
+    const double              inverse_radius_; ///< [1/m]
+    std::vector<double>       r_;
+    std::vector<Row>          rows_;
+    std::vector<unsigned int> entries_;
+    std::vector<unsigned int> dead_;
+    std::vector<char>         is_on_boundary_;
+  };
+
+  /// The part of a displacement that a node may make: all of it inside, what is orthogonal to the area vector on the
+  /// boundary, nothing if it is fixed. The volume is affine in the place of one node, so that it is kept.
+  template <int dim>
+  Vec<dim> allowed_part(const StarMesh<dim> &mesh, unsigned int node, Vec<dim> displacement);
+} // namespace Breakwater
