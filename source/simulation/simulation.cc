@@ -24,7 +24,7 @@ namespace Breakwater
   Simulation<dim>::Simulation()
     : body_forces_("Models", "", "Accelerations that act on all masses: fluid and structures.")
     , fluid_("Model", "", "The fluid's solver; empty: no fluid.", 1)
-    , coupler_("Model", "", "How fluid and structure are tied; empty: there is only one of them.", 1)
+    , coupler_("Model", "", "How bodies are tied; empty: none are.", 1)
     , postprocessors_("Models", "", "What adds columns to history.csv.")
     , start_(std::chrono::steady_clock::now())
   {
@@ -44,7 +44,15 @@ namespace Breakwater
     declare("Body forces", body_forces_);
     declare("Fluid", fluid_);
     declare_structures(reader);
-    declare("Coupling", coupler_);
+    {
+      SectionScope scope(reader, "Coupling");
+      coupler_.declare_parameters(reader);
+      reader.add(
+        "Ties", tie_texts_,
+        "Which bodies are tied to each other at their wet boundaries: NAME and NAME, several of them separated "
+        "by commas, e.g. Fluid and Gate, Gate and Frame. Empty: the fluid to every structure; without a fluid, "
+        "two structures to each other. Structures that are tied must have nodes in common.");
+    }
     declare("Postprocessors", postprocessors_);
     declare_output(reader);
   }
@@ -115,11 +123,23 @@ namespace Breakwater
     }
     check("Coupling", coupler_);
     check("Postprocessors", postprocessors_);
+    check_probes(reader);
+  }
 
-    SectionScope             scope(reader, "Output");
+  template <int dim>
+  std::vector<std::string> Simulation<dim>::structure_names() const
+  {
     std::vector<std::string> names;
     for (const Structure &structure : structures_)
       names.push_back(structure.name);
+    return names;
+  }
+
+  template <int dim>
+  void Simulation<dim>::check_probes(ParameterReader &reader) const
+  {
+    SectionScope                   scope(reader, "Output");
+    const std::vector<std::string> names = structure_names();
     try
       {
         for (const ProbePlace &place : parse_probes(probes_text_))
@@ -137,55 +157,161 @@ namespace Breakwater
   {
     if (fluid_.empty() && structures_.empty())
       reader.fail("", "there is nothing to simulate; name a fluid (Fluid/Model) or a structure (Structures)");
-    if (structures_.size() > 1)
-      {
-        SectionScope scope(reader, "Structures");
-        reader.fail("", "a scene has one structure so far, not " + std::to_string(structures_.size()));
-      }
+    if (!fluid_.empty())
+      for (const Structure &structure : structures_)
+        if (structure.name == fluid_name)
+          {
+            SectionScope scope(reader, "Structures");
+            reader.fail("", "a structure can't have the fluid's name");
+          }
+    check_coupling(reader);
+  }
+
+  template <int dim>
+  void Simulation<dim>::check_coupling(ParameterReader &reader) const
+  {
     const bool   has_both = !fluid_.empty() && !structures_.empty();
     SectionScope scope(reader, "Coupling");
-    if (has_both && coupler_.empty())
-      reader.fail("Model", "a fluid and a structure need a coupler" +
-                             suggestion("", reader.registry().names(Coupler<dim>::interface_name, dim)));
-    if (!has_both && !coupler_.empty())
-      reader.fail("Model", std::string("there is no ") + (fluid_.empty() ? "fluid" : "structure") +
+    if (coupler_.empty())
+      {
+        if (has_both)
+          reader.fail("Model", "a fluid and a structure need a coupler" +
+                                 suggestion("", reader.registry().names(Coupler<dim>::interface_name, dim)));
+        if (!tie_texts_.empty())
+          reader.fail("Ties", "bodies can't be tied without a coupler; name one in \"Model\"");
+        return;
+      }
+    if (fluid_.size() + structures_.size() < 2)
+      reader.fail("Model", std::string("there is no ") + (fluid_.empty() ? "second body" : "structure") +
                              " to couple; leave this entry out");
+    try
+      {
+        ties();
+      }
+    catch (const InputError &error)
+      {
+        reader.fail("Ties", error.what());
+      }
+  }
+
+  template <int dim>
+  std::vector<TiedNames> Simulation<dim>::ties() const
+  {
+    return find_ties(tie_texts_, !fluid_.empty(), structure_names());
   }
 
   template <int dim>
   void Simulation<dim>::set_up()
   {
-    const BodyForces<dim> &body_forces = body_forces_.plugins();
-    ExplicitDomain<dim>   *fluid       = fluid_.empty() ? nullptr : &fluid_.front();
-    ExplicitDomain<dim>   *structure   = structures_.empty() ? nullptr : structures_.front().domain.get();
-
-    if (structure != nullptr)
-      structure->setup(structures_.front().name, body_forces, *context_);
-    if (!coupler_.empty())
-      coupler_.front().adopt_surfaces({fluid, structure}, {{structures_.front().name, 0, 1}});
-    if (fluid != nullptr)
-      {
-        fluid->setup("Fluid", body_forces, *context_);
-        domains_.push_back({"Fluid", fluid});
-      }
-    if (structure != nullptr)
-      domains_.push_back({structures_.front().name, structure});
-    if (!coupler_.empty())
-      coupler_.front().setup(*context_);
-
+    set_up_bodies();
     std::vector<std::pair<std::string, const ExplicitDomain<dim> *>> seen;
     for (const NamedDomain &domain : domains_)
       seen.emplace_back(domain.name, domain.domain);
     for (const auto &postprocessor : postprocessors_.plugins())
       postprocessor->setup(seen);
     for (const ProbePlace &place : parse_probes(probes_text_))
-      {
-        const auto same = [&place](const NamedDomain &domain) {
-          return domain.name == place.domain;
-        };
-        probes_.emplace_back(place, *std::find_if(domains_.begin(), domains_.end(), same)->domain);
-      }
+      probes_.emplace_back(place, structure(place.domain));
     note_effects();
+  }
+
+  template <int dim>
+  void Simulation<dim>::set_up_bodies()
+  {
+    if (!fluid_.empty())
+      domains_.push_back({fluid_name, &fluid_.front()});
+    for (const Structure &structure : structures_)
+      domains_.push_back({structure.name, structure.domain.get()});
+
+    const BodyForces<dim> &body_forces = body_forces_.plugins();
+    if (!fluid_.empty() && !structures_.empty())
+      set_up_fluid_and_structures();
+    else if (!coupler_.empty())
+      set_up_tied_structures();
+    else if (domains_.size() == 1)
+      {
+        sides_ = {domains_.front().domain};
+        sides_.front()->setup(domains_.front().name, body_forces, *context_);
+      }
+    else
+      sides_ = {&make_group(structure_names(), "")};
+  }
+
+  // All structures together are one side, the fluid is the other.
+  template <int dim>
+  void Simulation<dim>::set_up_fluid_and_structures()
+  {
+    const BodyForces<dim> &body_forces = body_forces_.plugins();
+    ExplicitDomain<dim>   &fluid       = fluid_.front();
+    ExplicitDomain<dim>   *second      = structures_.front().domain.get();
+    if (structures_.size() == 1)
+      second->setup(structures_.front().name, body_forces, *context_);
+    else
+      second = &make_group(structure_names(), fluid_name);
+    sides_ = {&fluid, second};
+    coupler_.front().adopt_surfaces(sides_,
+                                    {{structures_.size() == 1 ? structures_.front().name : "Structures", 0, 1}});
+    fluid.setup(fluid_name, body_forces, *context_);
+    coupler_.front().setup(*context_);
+  }
+
+  // The structure that is named first in the first tie is one side, all others together are the other.
+  template <int dim>
+  void Simulation<dim>::set_up_tied_structures()
+  {
+    const std::string        first_name = ties().front().first, second_name = ties().front().second;
+    std::vector<std::string> others = structure_names();
+    others.erase(std::find(others.begin(), others.end(), first_name));
+    DomainGroup<dim> &first = make_group({first_name}, second_name), &second = make_group(others, first_name);
+
+    const auto                pairs = common_nodes(first.wet_surface().position, second.wet_surface().position);
+    std::vector<unsigned int> of_first, of_second;
+    for (const auto &[i, j] : pairs)
+      {
+        of_first.push_back(i);
+        of_second.push_back(j);
+      }
+    if (pairs.empty())
+      throw InputError("\"" + first_name +
+                       "\" has no node in common with what is tied to it: let wet boundaries touch "
+                       "with equal cells.");
+    first.keep_surface_nodes(of_first);
+    second.keep_surface_nodes(of_second);
+    sides_ = {&first, &second};
+    coupler_.front().adopt_surfaces(sides_, {{first_name, 0, 1}});
+    coupler_.front().setup(*context_);
+  }
+
+  /// Sets up these structures as a group whose surface is that of the members tied to `partner`, if that is one.
+  template <int dim>
+  DomainGroup<dim> &Simulation<dim>::make_group(const std::vector<std::string> &names, const std::string &partner)
+  {
+    const std::vector<TiedNames> all_ties = coupler_.empty() ? std::vector<TiedNames>() : ties();
+    const auto                   are_tied = [&all_ties](const std::string &a, const std::string &b) {
+      return std::any_of(all_ties.begin(), all_ties.end(), [&](const TiedNames &tie) {
+        return tie == TiedNames(a, b) || tie == TiedNames(b, a);
+      });
+    };
+    std::vector<typename DomainGroup<dim>::Member> members;
+    std::vector<typename DomainGroup<dim>::Joint>  joints;
+    for (unsigned int m = 0; m < names.size(); ++m)
+      {
+        members.push_back({names[m], &structure(names[m]), are_tied(names[m], partner)});
+        for (unsigned int k = 0; k < m; ++k)
+          if (are_tied(names[k], names[m]))
+            joints.emplace_back(k, m);
+      }
+    groups_.push_back(std::make_unique<DomainGroup<dim>>(members, joints));
+    groups_.back()->setup("", body_forces_.plugins(), *context_);
+    return *groups_.back();
+  }
+
+  template <int dim>
+  ExplicitDomain<dim> &Simulation<dim>::structure(const std::string &name) const
+  {
+    const auto is_it = [&name](const Structure &structure) {
+      return structure.name == name;
+    };
+    return *std::find_if(structures_.begin(), structures_.end(), is_it)->domain;
   }
 
   template <int dim>
@@ -272,7 +398,7 @@ namespace Breakwater
     const unsigned long steps   = context_->steps;
     if (coupler_.empty())
       {
-        ExplicitDomain<dim> &domain = *domains_.front().domain;
+        ExplicitDomain<dim> &domain = *sides_.front();
         domain.advance_free(longest);
         domain.end_step();
         time_step_ = longest;
@@ -295,8 +421,8 @@ namespace Breakwater
   double Simulation<dim>::coarse_stable_step() const
   {
     double longest = 0;
-    for (const NamedDomain &domain : domains_)
-      longest = std::max(longest, domain.domain->stable_time_step());
+    for (const ExplicitDomain<dim> *side : sides_)
+      longest = std::max(longest, side->stable_time_step());
     if (!(longest > 0))
       throw BreakdownError("no time step is stable at t = " + std::to_string(time_) + " s: the bound is " +
                            std::to_string(longest) + " s");

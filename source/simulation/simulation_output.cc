@@ -298,6 +298,8 @@ namespace Breakwater
                            domain.name + "\"");
         domain.domain->load(stream);
       }
+    for (const auto &group : groups_)
+      group->refresh();
     if (!coupler_.empty())
       coupler_.front().load(stream);
     std::string end;

@@ -83,6 +83,8 @@ namespace Breakwater
     reader.add("Initial velocity", initial_velocity_text_,
                "Velocity at time 0 [m/s]: one expression for each component, separated by commas, in the undeformed "
                "coordinates x, y, z [m] and pi. Held nodes stay at rest.");
+    reader.add<dim>("Reference point", reference_point_,
+                    "Point that the moments on this structure in history.csv refer to [m].");
     SectionScope scope(reader, "Material");
     material_.declare_parameters(reader);
   }
@@ -221,6 +223,9 @@ namespace Breakwater
   {
     PhaseTimer        timer(*context_, Phase::structure);
     const std::size_t n_nodes = displacement_.size();
+    act(0.5 * time_step);
+    std::fill(link_force_.begin(), link_force_.end(), Vec<dim>());
+    time_step_ = time_step;
     for (std::size_t i = 0; i < n_nodes; ++i)
       {
         velocity_[i] += (0.5 * time_step) * acceleration_[i];
@@ -284,8 +289,30 @@ namespace Breakwater
         const Vec<dim> change = inverse_mass_[wet_nodes_[w]] * force[w];
         acceleration_[wet_nodes_[w]] += change;
         velocity_[wet_nodes_[w]] += (0.5 * time_step) * change;
+        link_force_[w] += force[w];
       }
     update_wet_surface();
+  }
+
+
+  // The link forces also move the inertia that is lent: what others exert on the whole body is f + (M - M') a.
+  // Each acts in the second half of the step that ends and in the first half of the next one.
+  template <int dim>
+  void ExplicitStructure<dim>::act(const double duration)
+  {
+    for (std::size_t w = 0; w < wet_nodes_.size(); ++w)
+      {
+        const unsigned int i     = wet_nodes_[w];
+        const Vec<dim>     arm   = position_[i] - reference_point_;
+        const Vec<dim>     force = link_force_[w] + (mass_[i] - inertia_[i]) * acceleration_[i];
+        load_.impulse += duration * force;
+        load_.moment[2] += duration * (arm[0] * force[1] - arm[1] * force[0]);
+        if constexpr (dim == 3)
+          {
+            load_.moment[0] += duration * (arm[1] * force[2] - arm[2] * force[1]);
+            load_.moment[1] += duration * (arm[2] * force[0] - arm[0] * force[2]);
+          }
+      }
   }
 
 
@@ -293,6 +320,7 @@ namespace Breakwater
   void ExplicitStructure<dim>::end_step()
   {
     PhaseTimer timer(*context_, Phase::structure);
+    act(0.5 * time_step_);
     bound_frequency();
     context_->set_summary_max(name_ + " largest compression of a cell [-]", 1 - smallest_volume_ratio_);
   }
@@ -337,6 +365,7 @@ namespace Breakwater
     wet_surface_.inverse_mass.resize(wet_nodes_.size());
     wet_surface_.mass.resize(wet_nodes_.size());
     update_wet_mass();
+    link_force_.assign(wet_nodes_.size(), {});
     update_wet_surface();
   }
 
@@ -421,7 +450,18 @@ namespace Breakwater
   {
     const DomainBalance<dim> now = balance();
     row.emplace_back(name_ + " kinetic energy [J]", now.kinetic_energy);
+    row.emplace_back(name_ + " potential energy [J]", now.potential_energy);
     row.emplace_back(name_ + " strain energy [J]", now.strain_energy);
+    for (int d = 0; d < dim; ++d)
+      row.emplace_back(name_ + " momentum " + "xyz"[d] + " [kg m/s]", now.momentum[d]);
+    // Means since the last row, exact to round-off.
+    const double factor = time_ > time_of_last_row_ ? 1 / (time_ - time_of_last_row_) : 0.;
+    for (int d = 0; d < dim; ++d)
+      row.emplace_back("force on " + name_ + " " + "xyz"[d] + " [N]", factor * load_.impulse[d]);
+    for (int d = dim == 2 ? 2 : 0; d < 3; ++d)
+      row.emplace_back("moment on " + name_ + " " + "xyz"[d] + " [N m]", factor * load_.moment[d]);
+    load_             = {};
+    time_of_last_row_ = time_;
     row.emplace_back(name_ + " stable step [s]", stable_time_step());
   }
 
@@ -468,6 +508,9 @@ namespace Breakwater
     write_binary(stream, displacement_);
     write_binary(stream, velocity_);
     write_binary(stream, acceleration_);
+    write_binary(stream, link_force_);
+    write_binary(stream, load_);
+    write_binary(stream, time_of_last_row_);
     write_binary(stream, eigenvalues_.eigenvalue);
     write_binary(stream, eigenvalues_.direction);
     write_binary(stream, eigenvalues_.metric);
@@ -483,6 +526,9 @@ namespace Breakwater
     read_binary(stream, displacement_);
     read_binary(stream, velocity_);
     read_binary(stream, acceleration_);
+    read_binary(stream, link_force_);
+    read_binary(stream, load_);
+    read_binary(stream, time_of_last_row_);
     read_binary(stream, eigenvalues_.eigenvalue);
     read_binary(stream, eigenvalues_.direction);
     read_binary(stream, eigenvalues_.metric);

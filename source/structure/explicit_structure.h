@@ -45,10 +45,18 @@ namespace Breakwater
     void               load(std::istream &stream) override;
 
   private:
+    /// What other bodies gave: impulse and angular impulse about the reference point.
+    struct Load
+    {
+      Vec<dim> impulse; ///< [N s]
+      Vec<3>   moment;  ///< [N m s]
+    };
+
     void update_free_acceleration(std::size_t node);
     void make_wet_surface();
     void update_wet_surface();
     void update_wet_mass();
+    void act(double duration);
     void compute_force();
     void add_body_forces();
     void bound_frequency();
@@ -64,6 +72,7 @@ namespace Breakwater
     double                    fraction_        = 0.9; ///< of the bound on the step
     double                    damping_         = 0;   ///< alpha [1/s]
     std::string               initial_velocity_text_;
+    Vec<dim>                  reference_point_; ///< of the moments [m]
 
     BoxMesh<dim>              box_{};
     std::array<bool, 2 * dim> is_clamped_{}; ///< [boundary]
@@ -78,9 +87,13 @@ namespace Breakwater
     std::vector<double>              inertia_;      ///< the mass that is not lent [kg]
     std::vector<double>              inverse_mass_; ///< of the inertia [1/kg], 0 at held nodes
     WetSurface<dim>                  wet_surface_;
-    std::vector<unsigned int>        wet_nodes_; ///< [node of wet_surface_]
+    std::vector<unsigned int>        wet_nodes_;  ///< [node of wet_surface_]
+    std::vector<Vec<dim>>            link_force_; ///< in the present accelerations, [node of wet_surface_] [N]
+    Load                             load_;       ///< of other bodies since the last row of the history
 
-    double                time_ = 0;                  ///< [s]
+    double                time_             = 0;      ///< [s]
+    double                time_step_        = 0;      ///< the last one [s]
+    double                time_of_last_row_ = 0;      ///< of the history [s]
     std::vector<Vec<dim>> displacement_;              ///< [m]
     std::vector<Vec<dim>> velocity_;                  ///< [m/s]
     std::vector<Vec<dim>> acceleration_;              ///< [m/s^2], link forces included

@@ -5,10 +5,12 @@
 #include <breakwater/interfaces/coupler.h>
 #include <breakwater/interfaces/explicit_domain.h>
 #include <breakwater/interfaces/postprocessor.h>
+#include <breakwater/simulation/domain_group.h>
 #include <breakwater/simulation/energy_rise.h>
 #include <breakwater/simulation/field_output.h>
 #include <breakwater/simulation/probe.h>
 #include <breakwater/simulation/progress.h>
+#include <breakwater/simulation/ties.h>
 
 #include <chrono>
 #include <csignal>
@@ -83,12 +85,23 @@ namespace Breakwater
       EnergyRise energy_rise{0.05};
     };
 
-    void declare_structures(ParameterReader &reader);
-    void declare_output(ParameterReader &reader);
-    void check_bodies(ParameterReader &reader) const;
+    void                     declare_structures(ParameterReader &reader);
+    void                     declare_output(ParameterReader &reader);
+    void                     check_bodies(ParameterReader &reader) const;
+    void                     check_coupling(ParameterReader &reader) const;
+    void                     check_probes(ParameterReader &reader) const;
+    std::vector<std::string> structure_names() const;
 
     void set_up();
+    void set_up_bodies();
+    void set_up_fluid_and_structures();
+    void set_up_tied_structures();
     void note_effects();
+
+    DomainGroup<dim>      &make_group(const std::vector<std::string> &names, const std::string &partner);
+    ExplicitDomain<dim>   &structure(const std::string &name) const;
+    std::vector<TiedNames> ties() const;
+
     void start_output(const Options &options, const std::string &parameters);
     void set_up_or_resume(const Options &options);
     void advance_to_end();
@@ -114,6 +127,7 @@ namespace Breakwater
     PluginList<ExplicitDomain<dim>> fluid_;
     std::vector<Structure>          structures_;
     PluginList<Coupler<dim>>        coupler_;
+    std::vector<std::string>        tie_texts_;
     PluginList<Postprocessor<dim>>  postprocessors_;
     std::string                     directory_;
     double                          fields_every_  = 0.01;  ///< [s]
@@ -123,10 +137,12 @@ namespace Breakwater
     double                          checkpoints_every_wall_ = 600; ///< [s]
 
     // The run
-    std::unique_ptr<RunContext>           context_;
-    std::unique_ptr<FieldOutput>          field_output_;
-    std::unique_ptr<Progress>             progress_;
-    std::vector<NamedDomain>              domains_;
+    std::unique_ptr<RunContext>                    context_;
+    std::unique_ptr<FieldOutput>                   field_output_;
+    std::unique_ptr<Progress>                      progress_;
+    std::vector<NamedDomain>                       domains_; ///< the bodies
+    std::vector<std::unique_ptr<DomainGroup<dim>>> groups_;
+    std::vector<ExplicitDomain<dim> *>    sides_; ///< bodies or groups: one that goes alone, or two that are coupled
     std::vector<Probe<dim>>               probes_;
     Monitor                               monitor_;
     double                                time_         = 0; ///< [s]
