@@ -170,7 +170,7 @@ namespace Breakwater
             surface_.facets.push_back(facet);
           }
     update_surface();
-    surface_.revision = 1;
+    ++surface_.revision;
   }
 
 
@@ -192,6 +192,7 @@ namespace Breakwater
   {
     for (auto *field : {&surface_.position, &surface_.velocity, &surface_.acceleration, &surface_.inverse_mass})
       field->resize(exposed_.size());
+    surface_.mass.assign(exposed_.size(), 0.);
     for (std::size_t w = 0; w < exposed_.size(); ++w)
       {
         const Node            &node  = nodes_[exposed_[w]];
@@ -200,6 +201,8 @@ namespace Breakwater
         surface_.velocity[w]         = first.velocity[node[0].node];
         surface_.acceleration[w]     = first.acceleration[node[0].node];
         surface_.inverse_mass[w]     = first.inverse_mass[node[0].node];
+        for (const Slot &slot : node)
+          surface_.mass[w] += surface_of(slot).mass[slot.node];
         for (std::size_t s = 1; s < node.size(); ++s)
           for (int d = 0; d < dim; ++d)
             {
@@ -339,9 +342,27 @@ namespace Breakwater
 
 
   template <int dim>
-  void DomainGroup<dim>::adopt_surface(const WetSurface<dim> &)
+  unsigned int DomainGroup<dim>::adopt_surface(const WetSurface<dim> &)
   {
     throw std::logic_error("a group of bodies has surfaces of its own");
+  }
+
+
+  // Joined nodes lend in proportion to what they have; after that they must be given a common acceleration anew.
+  template <int dim>
+  void DomainGroup<dim>::lend_mass(const std::vector<double> &mass)
+  {
+    std::vector<std::vector<double>> masses;
+    for (unsigned int m = 0; m < members_.size(); ++m)
+      masses.emplace_back(surface_of(m).mass.size());
+    for (std::size_t w = 0; w < exposed_.size(); ++w)
+      for (const Slot &slot : nodes_[exposed_[w]])
+        masses[slot.member][slot.node] = mass[w] * surface_of(slot).mass[slot.node] / surface_.mass[w];
+    for (unsigned int m = 0; m < members_.size(); ++m)
+      members_[m].domain->lend_mass(masses[m]);
+    balance_joints(0.);
+    update_surface();
+    ++surface_.revision;
   }
 
 

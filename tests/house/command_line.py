@@ -47,8 +47,17 @@ with open("nothing.prm", "w", encoding="utf-8") as file:
 expect(1, "there is nothing to simulate", "nothing.prm")
 expect(1, 'section "Structures/Block/Material"', scene, "--set", "Structures/Block/Material/Model=rubber")
 expect(1, "command line: ", scene, "--set", "Structures/Block/Degree=3")
-expect(1, "a scene has one structure so far", scene, "--set", "Structures/Second/Degree=1")
-expect(1, "there is no fluid to couple", scene, "--set", "Plugin libraries=materials, body_forces, couplers",
+expect(1, 'section "Structures/Second", entry "Mesh" (not set)', scene, "--set", "Structures/Second/Degree=1")
+tied = os.path.join(SOURCES, "parameter_files/verification/tied_bars.prm")
+for ties, message in (("Root and Midle", 'no body is called "Midle"; did you mean "Middle"?'),
+                      ("Root, End", 'can\'t read the tie "Root"; the form is NAME and NAME'),
+                      ("Root and Root", '"Root" can\'t be tied to itself'),
+                      ("Root and Middle, Middle and Root", "are tied twice"),
+                      ("", "say which of the structures are tied"),
+                      ("Root and End, Middle and End", '"Root" has no node in common with what is tied to it')):
+    expect(1, message, tied, "--validate", "--set", f"Coupling/Ties={ties}")
+expect(1, "bodies can't be tied without a coupler", tied, "--set", "Coupling/Model=")
+expect(1, "there is no second body to couple", scene, "--set", "Plugin libraries=materials, body_forces, couplers",
        "--set", "Coupling/Model=gravouil combescure")
 expect(1, 'no structure is called "Blok"; did you mean "Block"?', scene, "--set", "Output/Probes=tip: Blok(0, 0)")
 expect(1, "away from the nearest node of \"Block\", at (0.5, 0.5)", scene, "--set",
@@ -60,6 +69,12 @@ obstacle = os.path.join(SOURCES, "parameter_files/cookbooks/dam_break_elastic_ob
 with open("uncoupled.prm", "w", encoding="utf-8") as file:
     file.write(re.sub(r"\nsubsection Coupling\n.*?\nend\n", "\n", open(obstacle, encoding="utf-8").read(), flags=re.S))
 expect(1, "a fluid and a structure need a coupler", "uncoupled.prm", "--validate")
+second = ["--set", "Structures/Second/Mesh=box(0.304, 0, 0; 0.31, 0.08, 0.15; 1, 6, 8)",
+          "--set", "Structures/Second/Material/Model=linear elastic", "--set",
+          "Structures/Second/Material/Linear elastic/Young's modulus=1e6",
+          "--set", "Structures/Second/Material/Linear elastic/Density=1000"]
+expect(1, "nodes but are not tied to each other", obstacle, "--validate", *second)
+expect(1, 'nothing ties "Second" to the fluid', obstacle, "--validate", *second, "--set", "Coupling/Ties=Fluid and Obstacle")
 
 # A run, and what it leaves.
 shutil.rmtree("results", ignore_errors=True)

@@ -42,7 +42,8 @@ namespace Breakwater
     void   end_step() override;
 
     const WetSurface<dim> &wet_surface() const override { return surface_; }
-    void                   adopt_surface(const WetSurface<dim> &partner) override;
+    unsigned int           adopt_surface(const WetSurface<dim> &partner) override;
+    void                   lend_mass(const std::vector<double> &mass) override;
     bool                   can_adopt_surface() const override { return false; }
     void                   correct_surface(const std::vector<Vec<dim>> &position) override;
 
