@@ -15,8 +15,8 @@ namespace Breakwater
   template <int dim>
   void DelaunayMesh<dim>::flip_all()
   {
-    // Each flip of valid cells lowers the lifted surface, each other one the number of inverted cells: this ends. A
-    // facet that can't be flipped now may be when its surroundings have changed.
+    // Each flip lowers the lifted surface: this ends. A facet that can't be flipped now may be when its surroundings
+    // have changed.
     std::size_t n_flips_before;
     do
       {
@@ -50,8 +50,6 @@ namespace Breakwater
     const unsigned int neighbor = cells_[facet.cell].neighbor[facet.opposite];
     if (neighbor == no_cell)
       return false;
-    if (state_[facet.cell] != State::positive || state_[neighbor] != State::positive)
-      return true;
     const Cell &cell = cells_[facet.cell];
     return Circumsphere<dim>(corners_of(cell.node)).contains(position_[node_across(cell, facet.opposite)]);
   }
@@ -75,36 +73,22 @@ namespace Breakwater
 
   template <int dim>
   template <std::size_t n_old, std::size_t n_new>
-  bool DelaunayMesh<dim>::replace(const std::array<unsigned int, n_old>               &old_cells,
+  void DelaunayMesh<dim>::replace(const std::array<unsigned int, n_old>               &old_cells,
                                   const std::array<Cell, n_new>                       &new_cells,
                                   const std::array<std::array<Facet, dim + 1>, n_new> &outside)
   {
-    // Cells that share two facets can't be linked by their numbers. (Next to inverted cells they could arise.)
-    for (const auto &facets : outside)
-      for (unsigned int a = 0; a <= dim; ++a)
-        if (facets[a].cell != no_cell)
-          {
-            if (std::find(old_cells.begin(), old_cells.end(), facets[a].cell) != old_cells.end())
-              return false;
-            for (unsigned int b = 0; b < a; ++b)
-              if (facets[b].cell == facets[a].cell)
-                return false;
-          }
-
-    bool had_inverted = false;
-    for (const unsigned int cell : old_cells)
-      had_inverted = had_inverted || state_[cell] != State::positive;
     std::array<unsigned int, n_new> number;
     for (std::size_t k = 0; k < n_new; ++k)
-      number[k] = k < n_old ? old_cells[k] : new_cell();
+      {
+        number[k] = k < n_old ? old_cells[k] : new_cell(new_cells[k].node);
+        set_nodes(number[k], new_cells[k].node);
+      }
     for (std::size_t k = n_new; k < n_old; ++k)
       delete_cell(old_cells[k]);
 
     for (std::size_t k = 0; k < n_new; ++k)
       {
-        Cell &cell        = cells_[number[k]];
-        cell.node         = new_cells[k].node;
-        state_[number[k]] = State::positive;
+        Cell &cell = cells_[number[k]];
         for (unsigned int a = 0; a <= dim; ++a)
           {
             const unsigned int inside = new_cells[k].neighbor[a];
@@ -116,12 +100,11 @@ namespace Breakwater
                 if (outside[k][a].cell != no_cell)
                   cells_[outside[k][a].cell].neighbor[outside[k][a].opposite] = number[k];
               }
-            // Facets between the new cells of a flip of dim + 2 points are right if the old cells were positive.
-            if (inside == no_cell || had_inverted || n_old == 4)
+            // Facets between the new cells of a flip of dim + 2 points are right.
+            if (inside == no_cell || n_old == 4)
               to_check_.push_back({number[k], a});
           }
       }
-    return true;
   }
 
 
@@ -147,9 +130,9 @@ namespace Breakwater
         if (orientation({a, d, c}) <= 0 || orientation({d, b, c}) <= 0)
           return false;
         constexpr Facet none{no_cell, 0};
-        return replace<2, 2>(
-          {A, B}, {{{{a, d, c}, {1, no_cell, no_cell}}, {{d, b, c}, {no_cell, 0, no_cell}}}},
-          {{{none, outside_of(A, b), outside_of(B, b)}, {outside_of(A, a), none, outside_of(B, a)}}});
+        replace<2, 2>({A, B}, {{{{a, d, c}, {1, no_cell, no_cell}}, {{d, b, c}, {no_cell, 0, no_cell}}}},
+                      {{{none, outside_of(A, b), outside_of(B, b)}, {outside_of(A, a), none, outside_of(B, a)}}});
+        return true;
       }
     else
       return false;
@@ -185,29 +168,33 @@ namespace Breakwater
             if (to_C.cell == no_cell || to_D.cell == no_cell)
               continue;
             const unsigned int C = to_C.cell, D = to_D.cell;
-            const bool         is_any_inverted = state_[A] != State::positive || state_[B] != State::positive ||
-                                         state_[C] != State::positive || state_[D] != State::positive;
-            if (C == D && (sign[i] <= 0 || state_[C] != State::positive))
-              // Three cells around edge ab become two on both sides of the facet (c, d, e).
-              return replace<3, 2>(
-                {A, B, C},
-                {{{{b, c, e, d}, {1, no_cell, no_cell, no_cell}}, {{c, a, e, d}, {no_cell, 0, no_cell, no_cell}}}},
-                {{{none, outside_of(C, a), outside_of(A, a), outside_of(B, a)},
-                  {outside_of(C, b), none, outside_of(A, b), outside_of(B, b)}}});
+            if (C == D && sign[i] <= 0)
+              {
+                // Three cells around edge ab become two on both sides of the facet (c, d, e).
+                replace<3, 2>(
+                  {A, B, C},
+                  {{{{b, c, e, d}, {1, no_cell, no_cell, no_cell}}, {{c, a, e, d}, {no_cell, 0, no_cell, no_cell}}}},
+                  {{{none, outside_of(C, a), outside_of(A, a), outside_of(B, a)},
+                    {outside_of(C, b), none, outside_of(A, b), outside_of(B, b)}}});
+                return true;
+              }
             const unsigned int g = cells_[C].node[to_C.opposite];
-            if (C != D && (sign[i] == 0 || (sign[i] < 0 && is_any_inverted)) && cells_[D].node[to_D.opposite] == g &&
+            if (C != D && sign[i] == 0 && cells_[D].node[to_D.opposite] == g &&
                 cells_[C].neighbor[corner_at(C, d)] == D && orientation({b, g, d, e}) > 0 &&
                 orientation({g, a, d, e}) > 0)
-              // Four cells around edge ab become four around edge de.
-              return replace<4, 4>({A, B, C, D},
-                                   {{{{b, c, e, d}, {1, 2, no_cell, no_cell}},
-                                     {{c, a, e, d}, {3, 0, no_cell, no_cell}},
-                                     {{b, g, d, e}, {3, 0, no_cell, no_cell}},
-                                     {{g, a, d, e}, {1, 2, no_cell, no_cell}}}},
-                                   {{{none, none, outside_of(A, a), outside_of(B, a)},
-                                     {none, none, outside_of(A, b), outside_of(B, b)},
-                                     {none, none, outside_of(D, a), outside_of(C, a)},
-                                     {none, none, outside_of(D, b), outside_of(C, b)}}});
+              {
+                // Four cells around edge ab become four around edge de.
+                replace<4, 4>({A, B, C, D},
+                              {{{{b, c, e, d}, {1, 2, no_cell, no_cell}},
+                                {{c, a, e, d}, {3, 0, no_cell, no_cell}},
+                                {{b, g, d, e}, {3, 0, no_cell, no_cell}},
+                                {{g, a, d, e}, {1, 2, no_cell, no_cell}}}},
+                              {{{none, none, outside_of(A, a), outside_of(B, a)},
+                                {none, none, outside_of(A, b), outside_of(B, b)},
+                                {none, none, outside_of(D, a), outside_of(C, a)},
+                                {none, none, outside_of(D, b), outside_of(C, b)}}});
+                return true;
+              }
           }
         if (n_positive < 3)
           return false;
@@ -219,7 +206,8 @@ namespace Breakwater
             cells[i]             = {{f[i], f[(i + 1) % 3], e, d}, {(i + 1) % 3, (i + 2) % 3, no_cell, no_cell}};
             outside[i]           = {none, none, outside_of(A, c), outside_of(B, c)};
           }
-        return replace<2, 3>({A, B}, cells, outside);
+        replace<2, 3>({A, B}, cells, outside);
+        return true;
       }
     else
       return false;

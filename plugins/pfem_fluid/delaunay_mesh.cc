@@ -79,91 +79,102 @@ namespace Breakwater
     position_        = position;
     position_.insert(position_.end(), far.begin(), far.end());
     cells_ = delaunay(position_);
-    has_cells_.assign(n_nodes_, 0);
     for (Cell &cell : cells_)
       for (unsigned int &i : cell.node)
         if (i < n_nodes_)
-          {
-            i             = first[i];
-            has_cells_[i] = 1;
-          }
-    state_.assign(cells_.size(), State::positive);
+          i = first[i];
     unused_.clear();
     sort_cells();
     to_check_.clear();
     stuck_.clear();
+    taken_out_.clear();
     report_ = {};
   }
 
 
   template <int dim>
-  typename DelaunayMesh<dim>::Report DelaunayMesh<dim>::update(const std::vector<Vec<dim>> &position,
-                                                               const std::vector<Vec<dim>> &on_the_way)
+  typename DelaunayMesh<dim>::Report DelaunayMesh<dim>::update(const std::vector<Vec<dim>> &position)
   {
-    if (!is_framed(position) || !repair(position, on_the_way))
+    if (!is_framed(position) || !repair(position))
       rebuild(position);
     return report_;
   }
 
 
   template <int dim>
-  bool DelaunayMesh<dim>::repair(const std::vector<Vec<dim>> &position, const std::vector<Vec<dim>> &on_the_way)
+  bool DelaunayMesh<dim>::repair(const std::vector<Vec<dim>> &position)
   {
     report_         = {};
     report_.is_full = false;
 
     // Of nodes at one place only the first has cells.
     const auto                first = first_at_place(position);
-    std::vector<char>         is_hidden(n_nodes_, 0);
-    std::vector<unsigned int> inserted;
-    std::size_t               n_changes = 0;
+    std::vector<unsigned int> inserted, removed;
     for (unsigned int i = 0; i < n_nodes_; ++i)
-      {
-        is_hidden[i] = first[i] != i;
-        if (!is_hidden[i] && !has_cells_[i])
-          inserted.push_back(i);
-        n_changes += is_hidden[i] == has_cells_[i];
-      }
-    if (is_too_much(n_changes) || !remove_nodes(is_hidden))
+      if ((first[i] != i) == has_cells(i))
+        (has_cells(i) ? removed : inserted).push_back(i);
+    if (is_too_much(inserted.size() + removed.size()) || !remove_nodes(removed) || !move_to(position))
       return false;
 
-    if (!on_the_way.empty())
-      move_to(on_the_way);
-    move_to(position);
+    flip_all();
     while (!stuck_.empty())
       {
         const std::vector<Facet> seeds = stuck_;
         stuck_.clear();
+        std::size_t n_loosened = 0;
         for (const Facet &facet : seeds)
-          if (needs_flip(facet) && !rebuild_around(facet.cell))
-            return false;
+          if (!needs_flip(facet) || loosen(facet))
+            ++n_loosened;
+          else
+            stuck_.push_back(facet);
+        if (4 * n_loosened < seeds.size())
+          return false;
         flip_all();
       }
-    for (const unsigned int i : inserted)
-      if (!insert_node(i))
+
+    // The last one first: what was beside it then is there again.
+    report_.n_reinserted = taken_out_.size();
+    for (auto taken = taken_out_.rbegin(); taken != taken_out_.rend(); ++taken)
+      if (!insert_node(taken->node, cell_of_[taken->beside]))
         return false;
-    to_check_.clear(); // what surrounds an inserted node is right
+    unsigned int last = n_nodes_; // a far node
+    for (const unsigned int i : inserted)
+      {
+        if (!insert_node(i, cell_of_[last]))
+          return false;
+        last = i;
+      }
+    taken_out_.clear();
     return true;
   }
 
 
   template <int dim>
-  void DelaunayMesh<dim>::move_to(const std::vector<Vec<dim>> &position)
+  bool DelaunayMesh<dim>::move_to(const std::vector<Vec<dim>> &position)
   {
     std::vector<char> has_moved(position_.size(), 0);
     for (std::size_t i = 0; i < position.size(); ++i)
       for (int d = 0; d < dim; ++d)
         has_moved[i] = has_moved[i] || position_[i][d] != position[i][d];
-    std::copy(position.begin(), position.end(), position_.begin());
-    find_bad_facets(has_moved);
-    flip_all();
+    auto other_position = position_; // the new one, then the old one
+    std::copy(position.begin(), position.end(), other_position.begin());
+    position_.swap(other_position);
+    const auto inverted = find_bad_facets(has_moved);
+    if (inverted.empty())
+      return true;
+    // Where the nodes were, the triangulation is Delaunay: any of them can be taken out there.
+    position_.swap(other_position);
+    const bool is_done = take_out_of(inverted, other_position);
+    position_.swap(other_position);
+    return is_done;
   }
 
 
   template <int dim>
-  void DelaunayMesh<dim>::find_bad_facets(const std::vector<char> &has_moved)
+  std::vector<unsigned int> DelaunayMesh<dim>::find_bad_facets(const std::vector<char> &has_moved)
   {
-    std::vector<char> moves(cells_.size(), 0); // the cells
+    std::vector<unsigned int> inverted;
+    std::vector<char>         moves(cells_.size(), 0); // the cells
     for (unsigned int c = 0; c < cells_.size(); ++c)
       for (const unsigned int i : cells_[c].node)
         moves[c] |= has_moved[i];
@@ -173,19 +184,21 @@ namespace Breakwater
           continue;
         const Cell             &cell = cells_[c];
         const Circumsphere<dim> sphere(corners_of(cell.node));
-        const bool              is_positive = sphere.orientation() > 0;
-        state_[c]                           = is_positive ? State::positive : State::inverted;
+        if (sphere.orientation() <= 0)
+          {
+            inverted.push_back(c);
+            continue;
+          }
         for (unsigned int a = 0; a <= dim; ++a)
           {
-            const unsigned int neighbor = cell.neighbor[a];
-            if (neighbor == no_cell)
-              continue;
             // Between positive cells, one side's sphere tells.
-            if (!is_positive ||
-                ((neighbor > c || !moves[neighbor]) && !sphere.is_surely_outside(position_[node_across(cell, a)])))
+            const unsigned int neighbor = cell.neighbor[a];
+            if (neighbor != no_cell && (neighbor > c || !moves[neighbor]) &&
+                !sphere.is_surely_outside(position_[node_across(cell, a)]))
               to_check_.push_back({c, a});
           }
       }
+    return inverted;
   }
 
 
@@ -201,7 +214,8 @@ namespace Breakwater
 
 
   template <int dim>
-  Simplex<dim> DelaunayMesh<dim>::corners_of(const std::array<unsigned int, dim + 1> &node) const
+  Simplex<dim> DelaunayMesh<dim>::corners_of(const std::array<unsigned int, dim + 1> &node,
+                                             const std::vector<Vec<dim>>             &position) const
   {
     // An even permutation with a near node first: differences to a far one would lose the others' places.
     unsigned int first = 0;
@@ -209,7 +223,7 @@ namespace Breakwater
       ++first;
     Simplex<dim> x;
     for (int a = 0; a <= dim; ++a)
-      x[a] = position_[node[a]];
+      x[a] = position[node[a]];
     if (first != 0)
       {
         std::swap(x[0], x[first]);
@@ -223,26 +237,34 @@ namespace Breakwater
 
 
   template <int dim>
-  unsigned int DelaunayMesh<dim>::new_cell()
+  unsigned int DelaunayMesh<dim>::new_cell(const std::array<unsigned int, dim + 1> &node)
   {
+    unsigned int cell = cells_.size();
     if (unused_.empty())
+      cells_.emplace_back();
+    else
       {
-        cells_.emplace_back();
-        state_.push_back(State::positive);
-        return cells_.size() - 1;
+        cell = unused_.back();
+        unused_.pop_back();
       }
-    const unsigned int cell = unused_.back();
-    unused_.pop_back();
-    state_[cell] = State::positive;
+    set_nodes(cell, node);
     return cell;
+  }
+
+
+  template <int dim>
+  void DelaunayMesh<dim>::set_nodes(const unsigned int cell, const std::array<unsigned int, dim + 1> &node)
+  {
+    cells_[cell].node = node;
+    for (const unsigned int i : node)
+      cell_of_[i] = cell;
   }
 
 
   template <int dim>
   void DelaunayMesh<dim>::delete_cell(const unsigned int cell)
   {
-    state_[cell] = State::unused;
-    cells_[cell].node.fill(n_nodes_);
+    cells_[cell].node.fill(n_nodes_); // see is_unused()
     cells_[cell].neighbor.fill(no_cell);
     unused_.push_back(cell);
   }
@@ -269,23 +291,32 @@ namespace Breakwater
 
 
   template <int dim>
+  bool DelaunayMesh<dim>::remove_nodes(const std::vector<unsigned int> &nodes)
+  {
+    for (const unsigned int i : nodes)
+      if (has_cells(i) && !remove_node(i))
+        return false;
+    to_check_.clear(); // what surrounds the place of a node is right
+    return true;
+  }
+
+
+  template <int dim>
   void DelaunayMesh<dim>::renumber(const std::vector<unsigned int> &order)
   {
-    std::vector<char> is_removed(n_nodes_, 1), has_cells(order.size(), 0);
-    for (unsigned int k = 0; k < order.size(); ++k)
-      if (order[k] != no_node)
-        {
-          is_removed[order[k]] = 0;
-          has_cells[k]         = has_cells_[order[k]];
-        }
-    const std::size_t n_changes =
-      std::count(order.begin(), order.end(), no_node) + std::count(is_removed.begin(), is_removed.end(), 1);
-    if (is_too_much(n_changes) || !remove_nodes(is_removed))
+    std::vector<char> stays(n_nodes_, 0);
+    for (const unsigned int i : order)
+      if (i != no_node)
+        stays[i] = 1;
+    std::vector<unsigned int> removed;
+    for (unsigned int i = 0; i < n_nodes_; ++i)
+      if (!stays[i])
+        removed.push_back(i);
+    if (is_too_much(removed.size() + std::count(order.begin(), order.end(), no_node)) || !remove_nodes(removed))
       {
         *this = {};
         return;
       }
-    has_cells_.swap(has_cells);
 
     std::vector<unsigned int>   new_number(position_.size());
     const std::vector<Vec<dim>> old_position = position_;
@@ -336,8 +367,11 @@ namespace Breakwater
             neighbor = neighbor == no_cell ? no_cell : place[neighbor];
         }
     cells_.swap(sorted);
-    state_.assign(cells_.size(), State::positive);
     unused_.clear();
+    cell_of_.assign(position_.size(), no_cell);
+    for (unsigned int c = 0; c < cells_.size(); ++c)
+      for (const unsigned int i : cells_[c].node)
+        cell_of_[i] = c;
   }
 
   template class DelaunayMesh<2>;

@@ -16,10 +16,13 @@ namespace Breakwater
   /// triangulation, so that the hull of the nodes, with its many coplanar ones at walls, is inside like all else. They
   /// change only flat cells on the hull, whose circumradius is as large as their distance.
   ///
+  /// Nodes whose motion would turn a cell inside out are taken out before, where they were, and put back when all else
+  /// is right. So are nodes around facets that no flip can mend.
+  ///
   /// Why the repair is exact: when all cells are positive and no facet's opposite nodes lie in each other's
-  /// circumspheres, the triangulation is the Delaunay one (Delaunay's lemma). A flip whose new cells are positive keeps
-  /// the sum of signed volumes over any place, so that cells which the motion has inverted may take part: when none is
-  /// left, every place is covered once.
+  /// circumspheres, the triangulation is the Delaunay one (Delaunay's lemma). A cavity between the neighbours of a node
+  /// is filled by its Delaunay cells, and a node is put in by making a star of all cells whose circumspheres hold it
+  /// (Bowyer 1981, Watson 1981). Ties of cospherical nodes are broken as CGAL does (exact_in_sphere()).
   template <int dim>
   class DelaunayMesh
   {
@@ -29,9 +32,9 @@ namespace Breakwater
     /// What an update did.
     struct Report
     {
-      bool        is_full         = true; ///< triangulated from nothing
-      std::size_t n_flips         = 0;
-      std::size_t n_rebuilt_cells = 0; ///< in cavities that flips could not repair
+      bool        is_full      = true; ///< triangulated from nothing
+      std::size_t n_flips      = 0;
+      std::size_t n_reinserted = 0; ///< nodes taken out and put back
     };
 
     /// Triangulates from nothing.
@@ -39,9 +42,7 @@ namespace Breakwater
 
     /// Makes this the triangulation of nodes at new places [m]: by repair where it can, else from nothing, as for
     /// another number of nodes.
-    /// @param on_the_way places that the nodes pass on their way, if not empty. It helps when flat cells between nodes
-    /// near a plane become flatter there, in proportion: they go by flips, where they would be inverted by the thousand.
-    Report update(const std::vector<Vec<dim>> &position, const std::vector<Vec<dim>> &on_the_way = {});
+    Report update(const std::vector<Vec<dim>> &position);
 
     /// The nodes have got new numbers: node k was order[k], or is new if that is no_node; nodes that do not appear are
     /// gone. New nodes get their cells in the next update(). Puts the cells into the order of their highest nodes.
@@ -64,26 +65,30 @@ namespace Breakwater
       unsigned int cell;
       unsigned int opposite;
     };
-    enum class State : char
-    {
-      unused,
-      positive,
-      inverted ///< or flat
-    };
-    struct CavityBoundary;
+    struct OpenFacet;
 
-    /// A node to take out or put in costs as much as some 25 of a new triangulation.
-    bool is_too_much(const std::size_t n_changes) const { return 25 * n_changes > n_nodes_; }
+    /// A node that has been taken out, and one that was beside it.
+    struct TakenOut
+    {
+      unsigned int node, beside;
+    };
+
+    /// A node to take out or put in costs as much as some 10 of a new triangulation.
+    bool is_too_much(const std::size_t n_changes) const { return 10 * n_changes > n_nodes_; }
 
     // delaunay_mesh.cc
-    void         sort_cells(); ///< by their highest nodes
-    bool         is_framed(const std::vector<Vec<dim>> &position) const;
-    bool         repair(const std::vector<Vec<dim>> &position, const std::vector<Vec<dim>> &on_the_way);
-    void         move_to(const std::vector<Vec<dim>> &position);
-    void         find_bad_facets(const std::vector<char> &has_moved);
-    Simplex<dim> corners_of(const std::array<unsigned int, dim + 1> &node) const;
-    bool         is_unused(const unsigned int cell) const { return state_[cell] == State::unused; }
-    unsigned int new_cell();
+    void                      sort_cells(); ///< by their highest nodes
+    bool                      is_framed(const std::vector<Vec<dim>> &position) const;
+    bool                      repair(const std::vector<Vec<dim>> &position);
+    bool                      remove_nodes(const std::vector<unsigned int> &nodes);
+    bool                      move_to(const std::vector<Vec<dim>> &position);
+    std::vector<unsigned int> find_bad_facets(const std::vector<char> &has_moved); ///< @return inverted cells
+    Simplex<dim> corners_of(const std::array<unsigned int, dim + 1> &node) const { return corners_of(node, position_); }
+    Simplex<dim> corners_of(const std::array<unsigned int, dim + 1> &node, const std::vector<Vec<dim>> &position) const;
+    bool         has_cells(const unsigned int node) const { return cell_of_[node] != no_cell; }
+    bool         is_unused(const unsigned int cell) const { return cells_[cell].node[0] == cells_[cell].node[1]; }
+    unsigned int new_cell(const std::array<unsigned int, dim + 1> &node);
+    void         set_nodes(unsigned int cell, const std::array<unsigned int, dim + 1> &node);
     void         delete_cell(unsigned int cell);
     unsigned int corner_towards(unsigned int cell, unsigned int neighbor) const;
     unsigned int corner_at(unsigned int cell, unsigned int node) const;
@@ -98,30 +103,32 @@ namespace Breakwater
     Facet outside_of(unsigned int cell, unsigned int node) const;
     int   orientation(const std::array<unsigned int, dim + 1> &node) const;
     template <std::size_t n_old, std::size_t n_new>
-    bool replace(const std::array<unsigned int, n_old> &old_cells, const std::array<Cell, n_new> &new_cells,
+    void replace(const std::array<unsigned int, n_old> &old_cells, const std::array<Cell, n_new> &new_cells,
                  const std::array<std::array<Facet, dim + 1>, n_new> &outside);
 
-    // delaunay_cavity.cc
-    bool rebuild_around(unsigned int cell);
-    void add_to_cavity(const std::vector<unsigned int> &cells, std::vector<unsigned int> &cavity);
-    bool rebuild_cavity(const std::vector<unsigned int> &cavity, std::vector<unsigned int> &to_add,
-                        unsigned int added_node = no_node, unsigned int removed_node = no_node);
-    bool rebuild_cavity_of(unsigned int cell, bool (DelaunayMesh::*belongs)(unsigned int, unsigned int) const,
-                           unsigned int added_node, unsigned int removed_node);
-    bool remove_nodes(const std::vector<char> &is_removed);
-    bool insert_node(unsigned int node);
-    bool holds(unsigned int cell, unsigned int node) const;
-    bool is_in_conflict(unsigned int cell, unsigned int node) const;
+    // delaunay_nodes.cc
+    void         join(const Facet &one, const Facet &two); ///< as two sides of one facet
+    void         find_cavity(unsigned int cell, unsigned int node,
+                             bool (DelaunayMesh::*belongs)(unsigned int cell, unsigned int node) const);
+    bool         holds(unsigned int cell, unsigned int node) const;
+    bool         is_in_conflict(unsigned int cell, unsigned int node) const;
+    unsigned int apex_of(const OpenFacet &facet, const std::vector<unsigned int> &candidates) const;
+    bool         remove_node(unsigned int node);
+    bool         take_out(unsigned int node);
+    bool         take_out_of(std::vector<unsigned int> inverted, const std::vector<Vec<dim>> &new_position);
+    bool         loosen(const Facet &facet); ///< takes a node of two cells out whose facet can't be flipped
+    bool         insert_node(unsigned int node, unsigned int start);
 
     std::size_t               n_nodes_ = 0;
-    std::vector<char>         has_cells_; ///< of the nodes: not those that are new or at the place of another
-    std::vector<unsigned int> new_nodes_; ///< without cells yet
     std::vector<Vec<dim>>     position_;
     std::vector<Cell>         cells_;
-    std::vector<State>        state_;
+    std::vector<unsigned int> cell_of_; ///< one that has the node; no_cell for new nodes and those at another's place
     std::vector<unsigned int> unused_;
     std::vector<unsigned int> mark_; ///< of cells, equal to last_mark_ when in the cavity at work
     unsigned int              last_mark_ = 0;
+    std::vector<unsigned int> cavity_;  ///< cells that go
+    std::vector<unsigned int> filling_; ///< cells that have come instead when a node was removed
+    std::vector<TakenOut>     taken_out_;
     std::vector<Facet>        to_check_;
     std::vector<Facet>        stuck_; ///< need a flip that is not possible
     Report                    report_;

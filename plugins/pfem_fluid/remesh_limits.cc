@@ -102,7 +102,7 @@ namespace Breakwater
                {"smoothing over triangulation [-]", record.smoothing.seconds / record.triangulation_seconds},
                {"new triangulation [-]", static_cast<double>(record.triangulation.is_full)},
                {"flips [-]", static_cast<double>(record.triangulation.n_flips)},
-               {"rebuilt cells [-]", static_cast<double>(record.triangulation.n_rebuilt_cells)},
+               {"reinserted nodes [-]", static_cast<double>(record.triangulation.n_reinserted)},
                {"triangulation [CPU s]", record.triangulation_seconds},
                {"smoothing [CPU s]", record.smoothing.seconds},
                {"transfer [CPU s]", record.transfer_seconds},

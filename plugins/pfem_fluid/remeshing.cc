@@ -214,13 +214,7 @@ namespace Breakwater
       triangulation_.renumber(nodes_.number_in_triangulation);
     nodes_.number_in_triangulation = numbers;
 
-    // Along walls there are layers of flat cells, between nodes that have just left the wall and others on it. Half way
-    // they are pressed flat.
-    std::vector<Vec<dim>> pressed;
-    if (triangulation_.n_nodes() == nodes_.n)
-      for (std::size_t i = 0; i < nodes_.n; ++i)
-        pressed.push_back(walls.pressed_on(position[i], triangulation_.position()[i], 1e-6, 0.1 * h));
-    const auto report         = triangulation_.update(position, pressed);
+    const auto report         = triangulation_.update(position);
     mesh_                     = alpha_shape<dim>(triangulation_, parameters_.alpha * h, keep, is_small_anyway);
     nodes_.position_at_remesh = nodes_.xp;
     parameters_.walls.note_remesh();

@@ -132,24 +132,6 @@ namespace Breakwater
 
 
   template <int dim>
-  Vec<dim> Walls<dim>::pressed_on(Vec<dim> x, const Vec<dim> &x_old, const double part, const double tolerance) const
-  {
-    for (unsigned int f = 0; f < n_planes_; ++f)
-      {
-        const Face  &face     = faces_[f];
-        const double distance = distance_now(face, x), old_distance = distance_now(face, x_old);
-        if (std::abs(distance) > tolerance || std::abs(old_distance) > tolerance)
-          continue;
-        if (face.direction >= 0)
-          x[face.direction] = face.place + part * old_distance;
-        else
-          x += (part * old_distance - distance) * walls_[face.wall].state.now.rotated(face.normal);
-      }
-    return x;
-  }
-
-
-  template <int dim>
   bool Walls<dim>::stop_at_faces(const Vec<dim> &x_old, double *x, double *v, const double mass, Contacts &contacts)
   {
     bool       has_new      = false;

@@ -63,10 +63,6 @@ namespace Breakwater
     /// Faces that a place lies on, within a tolerance [m].
     Contacts faces_at(const Vec<dim> &x, double tolerance) const;
 
-    /// A place whose distance to each plane is a part of that of another place x_old, if both lie within a tolerance of
-    /// it [m]; else x.
-    Vec<dim> pressed_on(Vec<dim> x, const Vec<dim> &x_old, double part, double tolerance) const;
-
     /// Puts a node that has crossed walls on its way from x_old back onto them, takes the velocity into them away and
     /// adds those contacts. Contacts with surfaces that the node has left, sideways, are dropped.
     /// @param mass of the node [kg], 0 if the walls feel nothing

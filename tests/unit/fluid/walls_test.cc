@@ -89,16 +89,6 @@ TEST(Walls, KnowThePlanesOfAPlace)
 }
 
 
-TEST(Walls, PressAPlaceOnThePlanesThatItWasAndIsNear)
-{
-  const Walls<3> walls = tank<3>("free slip");
-  const Vec<3>   x     = walls.pressed_on({{0.03, 0.04, 0.05}}, {{0.02, 0.3, -0.01}}, 0.5, 0.1);
-  EXPECT_DOUBLE_EQ(x[0], 0.01);
-  EXPECT_DOUBLE_EQ(x[1], 0.04); // came from afar
-  EXPECT_DOUBLE_EQ(x[2], -0.005);
-}
-
-
 TEST(Walls, StopIsAnInelasticImpact)
 {
   Walls<2> walls = tank<2>("free slip");
