@@ -179,14 +179,24 @@ namespace Breakwater
         const Vec<dim> place = 0.5 * (nodes_.position(begin->first) + nodes_.position(begin->second));
         const double   h     = size_(place);
         donors_.clear();
+        blockers_.clear();
         for (auto edge = begin; edge != end; ++edge)
           for (const unsigned int i : cells_[edge->cell])
             {
-              if (is_changed_[i] || norm(nodes_.position(i) - place) < clearance * h)
+              if (is_changed_[i])
                 return false;
+              if (norm(nodes_.position(i) - place) < clearance * h &&
+                  std::find(blockers_.begin(), blockers_.end(), i) == blockers_.end())
+                blockers_.push_back(i);
               if (!nodes_.is_driven(i) && std::find(donors_.begin(), donors_.end(), i) == donors_.end())
                 donors_.push_back(i);
             }
+        if (!blockers_.empty())
+          {
+            if (blockers_.size() == 1 && is_outer(begin, end) && can_be_raised(blockers_.front()))
+              put_on_edge(blockers_.front(), *begin, place);
+            return false;
+          }
         const double part = 1. / (donors_.size() + 1);
         double       mass = 0, volume = 0;
         Vec<dim>     momentum, acceleration;
@@ -217,10 +227,46 @@ namespace Breakwater
             nodes_.v[i][d]  = momentum[d] / mass;
             nodes_.a[i][d]  = acceleration[d] / mass;
           }
-        nodes_.contacts[i] = common(nodes_.contacts[begin->first], nodes_.contacts[begin->second]);
-        Quad unused;
-        walls_.stop(nodes_.position(begin->first), nodes_.xp[i].c, unused.c, 0., nodes_.contacts[i]);
+        join_walls_of(*begin, i);
         return true;
+      }
+
+      /// A node on an edge is on the walls that both of its ends are on.
+      void join_walls_of(const Edge &edge, const std::size_t i)
+      {
+        nodes_.contacts[i] = common(nodes_.contacts[edge.first], nodes_.contacts[edge.second]);
+        Quad unused;
+        walls_.stop(nodes_.position(edge.first), nodes_.xp[i].c, unused.c, 0., nodes_.contacts[i]);
+      }
+
+      /// True for an edge on the boundary of the mesh: the cells around it do not close.
+      bool is_outer(const std::vector<Edge>::const_iterator begin, const std::vector<Edge>::const_iterator end)
+      {
+        if constexpr (dim == 2)
+          return end - begin == 1;
+        ring_.clear();
+        for (auto edge = begin; edge != end; ++edge)
+          for (const unsigned int i : cells_[edge->cell])
+            if (i != edge->first && i != edge->second)
+              ring_.push_back(i);
+        std::sort(ring_.begin(), ring_.end());
+        for (std::size_t k = 0; k < ring_.size(); k += 2)
+          if (k + 1 == ring_.size() || ring_[k] != ring_[k + 1])
+            return true;
+        return false;
+      }
+
+      bool can_be_raised(const unsigned int i) const
+      {
+        return i >= nodes_.n_interface && !nodes_.is_driven(i) && rank(i) == 0;
+      }
+
+      void put_on_edge(const unsigned int i, const Edge &edge, const Vec<dim> &place)
+      {
+        for (int d = 0; d < dim; ++d)
+          nodes_.xp[i][d] = place[d];
+        join_walls_of(edge, i);
+        is_changed_[i] = is_changed_[edge.first] = is_changed_[edge.second] = 1;
       }
 
       FluidNodes<dim>          &nodes_;
@@ -232,7 +278,7 @@ namespace Breakwater
       std::vector<Edge>         close_, long_;
       std::vector<char>         is_changed_; ///< a node changes once per call
       std::vector<char>         is_removed_;
-      std::vector<unsigned int> donors_;
+      std::vector<unsigned int> donors_, blockers_, ring_;
     };
   } // namespace
 

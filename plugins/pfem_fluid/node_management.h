@@ -32,7 +32,9 @@ namespace Breakwater
   /// to the surface, was; of two of a kind, at their centre of mass. A new node goes to the middle of its edge unless
   /// another node of the cells around is closer than half a spacing; every node of these cells gives the same part of
   /// its mass, with the momentum of that. So mass and momentum are exact, and the kinetic energy can only fall. Where
-  /// the new node would have less than a fifth of a regular node's mass, the fluid is left to tear.
+  /// the new node would have less than half of a regular node's mass, the fluid is left to tear. If the only node in
+  /// the way lies inside the fluid and the edge on its boundary, that node itself goes to the middle of the edge: the
+  /// mesh keeps its volume, and the flat cell between them can't tear later.
   ///
   /// Driven nodes are neither moved nor do they give. The numbers of the nodes change: `cells`, the mesh before,
   /// is of no use afterwards.

@@ -43,22 +43,17 @@ namespace Breakwater
     }
   } // namespace
 
-  void JsonObject::add_member(const std::string &name, const std::string &json)
-  {
-    members_ += (members_.empty() ? "  " : ",\n  ") + json_of(name) + ": " + json;
-  }
-
   void JsonObject::add(const std::string &name, const double value)
   {
-    add_member(name, json_of(value));
+    members_.emplace_back(name, json_of(value));
   }
   void JsonObject::add(const std::string &name, const unsigned long value)
   {
-    add_member(name, std::to_string(value));
+    members_.emplace_back(name, std::to_string(value));
   }
   void JsonObject::add(const std::string &name, const std::string &value)
   {
-    add_member(name, json_of(value));
+    members_.emplace_back(name, json_of(value));
   }
 
   void JsonObject::add(const std::string &name, const std::vector<std::string> &values)
@@ -66,21 +61,24 @@ namespace Breakwater
     std::string text;
     for (const std::string &value : values)
       text += (text.empty() ? "" : ", ") + json_of(value);
-    add_member(name, "[" + text + "]");
+    members_.emplace_back(name, "[" + text + "]");
   }
 
   void JsonObject::add(const std::string &name, const std::vector<std::pair<std::string, double>> &members)
   {
-    add_member(name, json_of(members));
+    members_.emplace_back(name, json_of(members));
   }
 
   void JsonObject::add(const std::string &name, const std::vector<std::pair<std::string, std::string>> &members)
   {
-    add_member(name, json_of(members));
+    members_.emplace_back(name, json_of(members));
   }
 
   std::string JsonObject::text() const
   {
-    return "{\n" + members_ + "\n}\n";
+    std::string text;
+    for (const auto &[name, json] : members_)
+      text += (text.empty() ? "  " : ",\n  ") + json_of(name) + ": " + json;
+    return "{\n" + text + "\n}\n";
   }
 } // namespace Breakwater

@@ -356,6 +356,7 @@ namespace Breakwater
     catch (const BreakdownError &error)
       {
         progress_.reset();
+        write_fields_at_breakdown();
         write_summary(options, "breakdown", error.what());
         throw;
       }

@@ -2,6 +2,7 @@
 #include <breakwater/base/binary_stream.h>
 #include <breakwater/base/exceptions.h>
 #include <breakwater/simulation/json_object.h>
+#include <breakwater/simulation/report.h>
 #include <breakwater/simulation/simulation.h>
 
 #include <algorithm>
@@ -213,6 +214,22 @@ namespace Breakwater
     field_output_->write<dim>(time_, meshes);
   }
 
+  // Within a step nodes may be anywhere, but a picture of them shows what went wrong.
+  template <int dim>
+  void Simulation<dim>::write_fields_at_breakdown()
+  {
+    if (n_fields_ == 0 || last_fields_time_ >= time_)
+      return;
+    try
+      {
+        write_fields();
+      }
+    catch (const std::exception &)
+      {
+        // what broke down matters more
+      }
+  }
+
   template <int dim>
   void Simulation<dim>::write_due_checkpoint()
   {
@@ -358,6 +375,8 @@ namespace Breakwater
     for (const auto &[name, value] : context.summary())
       summary.add(name, value);
     write_whole_file(context.output_directory() / "summary.json", summary.text());
+    write_whole_file(context.output_directory() / "report.html",
+                     report_html(header_.title, summary, context.output_directory()));
   }
 
   template class Simulation<2>;

@@ -111,6 +111,9 @@ failures.check(result.returncode == 2 and "numerical breakdown" in result.stderr
 with open("torn/summary.json", encoding="utf-8") as file:
     summary = json.load(file)
 failures.check(summary["status"] == "breakdown" and summary["message"] in result.stderr, "summary.json says why")
+failures.check(summary["message"] in open("torn/report.html").read(), "report.html says why")
+times = re.findall('timestep="([^"]*)"', open("torn/solution.pvd").read())
+failures.check(float(times[-1]) == summary["end_time"] > 0, f"the last fields are those of the breakdown: {times}")
 
 # Every shipped scene is valid.
 scenes = sorted(glob.glob(os.path.join(SOURCES, "parameter_files/*/*.prm")))

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace Breakwater
@@ -20,9 +20,10 @@ namespace Breakwater
     /// The whole object, with a line break at its end.
     std::string text() const;
 
-  private:
-    void add_member(const std::string &name, const std::string &json);
+    /// Names and values, the values as JSON.
+    const std::vector<std::pair<std::string, std::string>> &members() const { return members_; }
 
-    std::string members_;
+  private:
+    std::vector<std::pair<std::string, std::string>> members_;
   };
 } // namespace Breakwater

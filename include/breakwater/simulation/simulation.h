@@ -114,6 +114,7 @@ namespace Breakwater
     void write_due_output(bool is_last);
     void write_history();
     void write_fields();
+    void write_fields_at_breakdown();
 
     void write_due_checkpoint();
     void write_checkpoint();

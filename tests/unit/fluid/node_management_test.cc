@@ -108,6 +108,49 @@ TYPED_TEST(NodeManagement, ALoneNodeAtThePlaceOfAnotherIsTakenIn)
 }
 
 
+namespace
+{
+  /// One cell with a long edge between the first two nodes, and the third, inside the fluid, close to its middle.
+  template <int dim>
+  Block<dim> cell_with_long_edge()
+  {
+    Block<dim> block;
+    auto      &nodes = block.nodes;
+    block.mesh.cells.resize(1);
+    for (int i = 0; i <= dim; ++i)
+      {
+        block.mesh.cells[0][i] = i;
+        nodes.is_surface[i]    = i != 2;
+        nodes.xp[i]            = {};
+      }
+    nodes.xp[0][0]   = -1.2 * spacing;
+    nodes.xp[1][0]   = 1.2 * spacing;
+    nodes.xp[2][1]   = -0.3 * spacing;
+    nodes.xp[dim][1] = dim == 2 ? -0.3 * spacing : -spacing;
+    nodes.xp[dim][0] = 0.1 * spacing;
+    return block;
+  }
+} // namespace
+
+
+TYPED_TEST(NodeManagement, AnInnerNodeCloseToTheMiddleOfALongOuterEdgeGoesThere)
+{
+  Block<TypeParam::value> block = cell_with_long_edge<TypeParam::value>();
+  EXPECT_FALSE(manage(block).any());
+  EXPECT_EQ(norm(block.nodes.position(2)), 0.);
+}
+
+
+TYPED_TEST(NodeManagement, ASurfaceNodeCloseToTheMiddleOfALongEdgeStays)
+{
+  Block<TypeParam::value> block = cell_with_long_edge<TypeParam::value>();
+  block.nodes.is_surface[2]     = 1;
+  const auto before             = block.nodes.position(2);
+  EXPECT_FALSE(manage(block).any());
+  EXPECT_EQ(norm(block.nodes.position(2) - before), 0.);
+}
+
+
 TYPED_TEST(NodeManagement, InterfaceNodesStay)
 {
   constexpr int dim       = TypeParam::value;
