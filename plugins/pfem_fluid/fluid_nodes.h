@@ -30,7 +30,7 @@ namespace Breakwater
     std::vector<double> volume;            ///< V: share of the cells around [m^dim], signed
     std::vector<double> reference_volume;  ///< V0: volume at the last remesh
     std::vector<double> stiffness_volume;  ///< Vhat >= V0: what a change of volume is measured by
-    std::vector<double> companion_mass;    ///< mass of another domain that moves with an interface node [kg]
+    std::vector<double> companion_mass;    ///< inertia that an interface node carries for another body [kg]
     std::vector<double> hydrostatic_slope; ///< rho / c^2 at the last remesh [s^2/m^2 kg/m^3]
     std::vector<Quad>   position_at_remesh;
 

@@ -111,16 +111,12 @@ namespace Breakwater
     nodes_.resize(nodes_.n_interface + place.size());
     for (std::size_t i = 0; i < nodes_.n_interface; ++i)
       {
-        double companion = 0;
+        nodes_.companion_mass[i] = surface.mass[i];
         for (int d = 0; d < dim; ++d)
           {
             nodes_.xp[i][d] = surface.position[i][d];
             nodes_.v[i][d]  = surface.velocity[i][d];
-            // A node that is held somewhere is as good as infinitely heavy for the stability of the fluid.
-            // Half of the partner's mass counts here, half in its own stability.
-            companion = std::max(companion, 0.5 / std::max(surface.inverse_mass[i][d], 1e-12));
           }
-        nodes_.companion_mass[i] = companion;
       }
     for (std::size_t k = 0; k < place.size(); ++k)
       {

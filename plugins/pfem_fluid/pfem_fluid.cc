@@ -10,15 +10,6 @@
 
 namespace Breakwater
 {
-  namespace
-  {
-    /// Inertia of an interface node that carries no fluid mass, as a fraction of a regular node's: a number that lets
-    /// the coupler divide by it. The node moves with its companion, so it changes nothing else.
-    constexpr double massless_inertia = 1e-6;
-
-  } // namespace
-
-
   template <int dim>
   void PfemFluid<dim>::declare_parameters(ParameterReader &reader)
   {
@@ -121,6 +112,7 @@ namespace Breakwater
           n_wall_stops_ += walls.stop(x_old, x.c, v.c, nodes_.mass[i], nodes_.contacts[i]);
       }
     time_ += time_step;
+    last_time_step_ = time_step;
 
     update_volumes();
     update_pressure();
@@ -204,9 +196,8 @@ namespace Breakwater
 
     for (std::size_t i = 0; i < nodes_.n_interface; ++i)
       {
-        const double mass = interface_inertia(i);
-        for (int d = 0; d < dim; ++d)
-          nodes_.a[i][d] = nodes_.force[i][d] / mass + body(i)[d];
+        for (int d = 0; d < dim; ++d) // the weight of what it carries for another body acts there
+          nodes_.a[i][d] = (nodes_.force[i][d] + nodes_.mass[i] * body(i)[d]) / nodes_.inertia(i);
       }
     const bool allows_tension = parameters_.tension == "allowed";
     for (std::size_t i = nodes_.n_interface; i < nodes_.n; ++i)
@@ -235,16 +226,21 @@ namespace Breakwater
     const double duration = std::max(time_step, 0.5 * stable_time_step());
     for (std::size_t i = 0; i < contact_impulse_.size(); ++i)
       for (int d = 0; d < dim; ++d)
-        nodes_.a[i][d] += contact_impulse_[i][d] / (duration * interface_inertia(i));
+        nodes_.a[i][d] += contact_impulse_[i][d] / (duration * nodes_.inertia(i));
     contact_impulse_.clear();
   }
 
 
   template <int dim>
-  double PfemFluid<dim>::interface_inertia(const std::size_t i) const
+  void PfemFluid<dim>::add_interface_work()
   {
-    return std::max(nodes_.mass[i], massless_inertia * parameters_.equation_of_state.front().reference_density() *
-                                      regular_volume<dim>(parameters_.spacing));
+    for (std::size_t i = 0; i < nodes_.n_interface; ++i)
+      for (int d = 0; d < dim; ++d)
+        {
+          const double weight = nodes_.mass[i] * body_acceleration_[body_force_is_uniform_ ? 0 : i][d];
+          interface_work_ +=
+            last_time_step_ * (nodes_.mass[i] * nodes_.a[i][d] - nodes_.force[i][d] - weight) * nodes_.v[i][d];
+        }
   }
 
 
@@ -283,8 +279,6 @@ namespace Breakwater
           const double change = inverse_mass[i][d] * force[i][d];
           nodes_.a[i][d] += change;
           nodes_.v[i][d] += 0.5 * time_step * change;
-          // The link force acts on a node that moves with its companion: its power is force times velocity.
-          interface_work_ += time_step * force[i][d] * nodes_.v[i][d];
         }
     refresh_surface();
   }
@@ -309,8 +303,9 @@ namespace Breakwater
         surface.position[i]     = nodes_.position(i);
         surface.velocity[i]     = nodes_.velocity(i);
         surface.acceleration[i] = FluidNodes<dim>::vec(nodes_.a[i]);
+        surface.mass[i]         = nodes_.inertia(i);
         for (int d = 0; d < dim; ++d)
-          surface.inverse_mass[i][d] = 1. / interface_inertia(i);
+          surface.inverse_mass[i][d] = 1. / surface.mass[i];
       }
   }
 
@@ -320,6 +315,7 @@ namespace Breakwater
   {
     PhaseTimer timer(*context_, Phase::solver);
     check_state();
+    add_interface_work();
     if (filters_velocity_ && ++n_steps_since_filter_ >= parameters_.filter_period)
       {
         filter_velocity();

@@ -63,7 +63,7 @@ namespace Breakwater
     void              update_viscosity();
     void              update_body_acceleration();
     void              spend_contact_impulse(double time_step);
-    double            interface_inertia(std::size_t node) const; ///< [kg]
+    void              add_interface_work();
     void              diffuse_density(double time_step);
     void              filter_velocity();
     void              refresh_surface();
@@ -148,7 +148,8 @@ namespace Breakwater
     double        bound_                = 0; ///< of the rule in use at the last remesh [s]
     double        sound_speed_at_bound_ = 0; ///< largest one then [m/s]
     double        largest_density_      = 0; ///< now
-    double        interface_work_       = 0; ///< of the link forces on the fluid since the start [J]
+    double        last_time_step_       = 0; ///< [s]
+    double        interface_work_       = 0; ///< of other bodies on the fluid at interface nodes since the start [J]
     double        energy_after_remesh_  = 0; ///< less the interface's work [J]
     double        far_part_             = 1; ///< of the mass exchange, when it was last tried [-]
     double        volume_made_          = 0; ///< by remeshes since the start [m^dim]

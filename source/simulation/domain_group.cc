@@ -367,9 +367,17 @@ namespace Breakwater
 
 
   template <int dim>
-  void DomainGroup<dim>::correct_surface(const std::vector<Vec<dim>> &)
+  void DomainGroup<dim>::correct_surface(const std::vector<Vec<dim>> &position)
   {
-    throw std::logic_error("a group of bodies has meshes of its own");
+    std::vector<std::vector<Vec<dim>>> positions;
+    for (unsigned int m = 0; m < members_.size(); ++m)
+      positions.push_back(surface_of(m).position);
+    for (std::size_t w = 0; w < exposed_.size(); ++w)
+      for (const Slot &slot : nodes_[exposed_[w]])
+        positions[slot.member][slot.node] = position[w];
+    for (unsigned int m = 0; m < members_.size(); ++m)
+      members_[m].domain->correct_surface(positions[m]);
+    update_surface();
   }
 
 

@@ -184,7 +184,10 @@ namespace Breakwater
         row.emplace_back("interface energy [J]", balance.energy);
         row.emplace_back("interface velocity gap [m/s]", balance.velocity_gap);
         row.emplace_back("interface displacement drift [m]", balance.displacement_drift);
+        row.emplace_back("interface correction energy [J]", balance.correction_energy);
         row.emplace_back("interface substeps [-]", balance.n_substeps);
+        row.emplace_back("interface unknowns [-]", balance.n_unknowns);
+        row.emplace_back("interface iterations [-]", balance.n_iterations);
         for (int d = 0; d < dim; ++d)
           row.emplace_back(std::string("interface force ") + "xyz"[d] + " [N]", force[d]);
       }
@@ -370,7 +373,9 @@ namespace Breakwater
         const InterfaceBalance &balance = coupler_.front().balance(0);
         summary.add("interface energy [J]", balance.energy);
         summary.add("largest interface velocity gap [m/s]", balance.largest_gap);
-        summary.add("interface displacement drift [m]", balance.displacement_drift);
+        summary.add("largest interface displacement drift [m]", balance.largest_drift);
+        summary.add("interface correction energy [J]", balance.correction_energy);
+        summary.add("momentum made by the interface [kg m/s]", norm(balance.momentum));
       }
     for (const auto &[name, value] : context.summary())
       summary.add(name, value);

@@ -408,6 +408,7 @@ namespace Breakwater
           inverse_mass_[i] = 1 / inertia_[i];
         largest_mass_ratio_ = std::max(largest_mass_ratio_, mass_[i] / inertia_[i]);
         update_free_acceleration(i);
+        link_force_[w] = {};
       }
     update_wet_mass();
     update_wet_surface();
@@ -421,9 +422,15 @@ namespace Breakwater
   }
 
   template <int dim>
-  void ExplicitStructure<dim>::correct_surface(const std::vector<Vec<dim>> &)
+  void ExplicitStructure<dim>::correct_surface(const std::vector<Vec<dim>> &position)
   {
-    throw InputError(name_ + ": a structure has a mesh of its own; another domain can't move its nodes");
+    for (std::size_t w = 0; w < wet_nodes_.size(); ++w)
+      {
+        const unsigned int i = wet_nodes_[w];
+        displacement_[i] += position[w] - position_[i];
+        position_[i] = position[w];
+      }
+    update_wet_surface();
   }
 
 

@@ -103,7 +103,7 @@ namespace Breakwater
     virtual void lend_mass(const std::vector<double> &mass) = 0;
 
     /// Puts the nodes of the wet surface to places [m] from which they differ by what time stepping let drift apart.
-    /// @pre one place per node; where nothing was adopted, its present one
+    /// @pre one place per node
     virtual void correct_surface(const std::vector<Vec<dim>> &position) = 0;
 
     virtual DomainBalance<dim> balance() const = 0;

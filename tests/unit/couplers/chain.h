@@ -39,6 +39,7 @@ namespace Breakwater
       surface_.velocity.resize(1);
       surface_.acceleration.resize(1);
       surface_.inverse_mass.resize(1);
+      surface_.mass.resize(1);
     }
 
     std::vector<double> &displacement() { return u_; }
@@ -76,11 +77,20 @@ namespace Breakwater
     }
     void                 end_step() override { ++n_ended_steps_; }
     const WetSurface<2> &wet_surface() const override { return surface_; }
-    unsigned int         adopt_surface(const WetSurface<2> &) override { return 0; }
-    bool                 can_adopt_surface() const override { return adopts_; }
-    void                 lend_mass(const std::vector<double> &) override {}
-    void                 set_adopts(const bool adopts) { adopts_ = adopts; }
-    void                 correct_surface(const std::vector<Vec<2>> &position) override
+    unsigned int         adopt_surface(const WetSurface<2> &partner) override
+    {
+      mass_[tied_] += partner.mass[0];
+      setup();
+      return 0;
+    }
+    bool can_adopt_surface() const override { return adopts_; }
+    void lend_mass(const std::vector<double> &mass) override
+    {
+      mass_[tied_] -= mass[0];
+      setup();
+    }
+    void set_adopts(const bool adopts) { adopts_ = adopts; }
+    void correct_surface(const std::vector<Vec<2>> &position) override
     {
       u_[tied_] = position[0][0] - rest_[tied_];
       update_surface();
@@ -137,6 +147,7 @@ namespace Breakwater
       surface_.velocity[0]     = {{v_[tied_], 0.}};
       surface_.acceleration[0] = {{a_[tied_], 0.}};
       surface_.inverse_mass[0] = {{1 / mass_[tied_], 0.}};
+      surface_.mass[0]         = mass_[tied_];
     }
 
     std::vector<double> rest_, mass_;

@@ -351,6 +351,5 @@ namespace Breakwater
     Scene<2> scene("set Mesh = box(0, 0; 1, 1; 1, 1)\n" + soft);
     EXPECT_FALSE(scene.structure->can_adopt_surface());
     EXPECT_THROW(scene.structure->adopt_surface({}), InputError);
-    EXPECT_THROW(scene.structure->correct_surface({}), InputError);
   }
 } // namespace Breakwater

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <breakwater/mesh/wet_surface.h>
+
+#include <array>
+#include <vector>
+
+namespace Breakwater
+{
+  /// Nodes on the facets of an owner's surface, which move with it: x = sum of weight times x of the owner's nodes. The
+  /// weights of a node are positive and sum up to one, so that forces keep their sum, and their moment too.
+  template <int dim>
+  struct ResampledSurface
+  {
+    struct Weight
+    {
+      unsigned int node; ///< of the owner
+      double       weight;
+    };
+
+    WetSurface<dim>                  surface; ///< masses are left to share_mass(), accelerations are the owner's
+    std::vector<std::vector<Weight>> weights; ///< [node]
+  };
+
+  /// The owner's nodes themselves.
+  template <int dim>
+  ResampledSurface<dim> copy_of_surface(const WetSurface<dim> &owner);
+
+  /// Nodes of another spacing [m], finer or coarser. The surface falls into patches at edges where its normal turns by
+  /// more than 30 degrees; these edges stay. Each patch is a grid of facets and becomes a grid of about that spacing,
+  /// even in the numbers of the owner's facets.
+  /// @throws InputError if a patch is not a grid
+  template <int dim>
+  ResampledSurface<dim> resample_surface(const WetSurface<dim> &owner, double spacing);
+
+  /// Shares the owner's mass [kg]: `carried` is what each node carries of it, `lent` what each of the owner's nodes
+  /// gives, with lent_k = sum over i of weight_ik carried_i, so that momentum is the same. A node of the owner gives at
+  /// most `share` of its mass, and exactly that where the nodes are copies.
+  template <int dim>
+  void share_mass(const WetSurface<dim> &owner, const ResampledSurface<dim> &resampled, double share,
+                  std::vector<double> &carried, std::vector<double> &lent);
+
+  /// Pairs of nodes that lie at the same places, in the order of the first ones.
+  template <int dim>
+  std::vector<std::array<unsigned int, 2>> nodes_at_same_places(const std::vector<Vec<dim>> &first,
+                                                                const std::vector<Vec<dim>> &second);
+
+  /// Length of the diagonal of the box around places [m].
+  template <int dim>
+  double extent(const std::vector<Vec<dim>> &position);
+} // namespace Breakwater
