@@ -7,6 +7,7 @@
 #include <pfem_fluid/kernels.h>
 #include <pfem_fluid/lattice.h>
 #include <pfem_fluid/mass_exchange.h>
+#include <pfem_fluid/node_partition.h>
 
 #include <breakwater/mesh/volume_operator.h>
 
@@ -147,7 +148,8 @@ namespace
           nodes.mass[i]      = 1000 * nodes.volume[i] * (1 + 0.01 * c.v[i][0]);
         }
       n_iterations = exchange_mass<3>(nodes, c.mesh.cells, std::vector<double>(nodes.n, 0.), 0., 1000., Cloud::spacing,
-                                      ExchangeControl());
+                                      ExchangeControl())
+                       .n_iterations;
     });
     state.counters["iterations"] = n_iterations;
   }
@@ -205,6 +207,22 @@ namespace
     benchmark->Arg(2000)->Arg(17000)->Arg(120000)->Arg(680000)->Unit(benchmark::kMillisecond);
   }
 
+  /// Owners and parts of all ranks; `twice` is the share of cells that more than one rank computes.
+  void parts_of_ranks(benchmark::State &state)
+  {
+    const Cloud       &c       = cloud(state.range(0));
+    const unsigned int n_ranks = state.range(1);
+    std::size_t        n_cells = 0;
+    for (auto _ : state)
+      {
+        n_cells = 0;
+        for (const auto &part : partition<3>(c.mesh.cells, owners_by_bisection(c.position, n_ranks), n_ranks))
+          n_cells += part.cells.size();
+      }
+    state.SetItemsProcessed(state.iterations() * c.mesh.cells.size());
+    state.counters["twice"] = static_cast<double>(n_cells) / c.mesh.cells.size() - 1;
+  }
+
   void peak_multiply_adds(benchmark::State &state)
   {
     constexpr int n = 32;
@@ -248,6 +266,10 @@ BENCHMARK(alpha_shape_of_triangulation)->Arg(13000)->Arg(120000)->Unit(benchmark
 BENCHMARK(triangulation_repair)
   ->ArgsProduct({{13000, 120000}, {0, 5, 20}})
   ->ArgNames({"nodes", "hundredths_of_h"})
+  ->Unit(benchmark::kMillisecond);
+BENCHMARK(parts_of_ranks)
+  ->ArgsProduct({{120000, 680000}, {2, 8, 32}})
+  ->ArgNames({"nodes", "ranks"})
   ->Unit(benchmark::kMillisecond);
 BENCHMARK(peak_multiply_adds);
 BENCHMARK(triad)->Arg(1 << 12)->Arg(1 << 17)->Arg(1 << 24);
