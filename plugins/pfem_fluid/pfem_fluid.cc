@@ -48,12 +48,11 @@ namespace Breakwater
     const FluidRheology &rheology = parameters_.rheology.front();
     effects_.viscous              = rheology.is_viscous();
     effects_.viscosity            = effects_.viscous ? rheology.largest_viscosity() : 0.;
-    effects_.density_diffusion    = parameters_.density_diffusion > 0;
     // A sliver that passes through zero volume would make its viscous force infinite.
     effects_.least_cell_volume    = 0.05 * regular_volume<dim>(parameters_.spacing);
     effects_.least_viscous_volume = 0.01 * regular_volume<dim>(parameters_.spacing);
     context.note_effect("viscosity", effects_.viscous, "the rheology is inviscid");
-    context.note_effect("density diffusion", effects_.density_diffusion, "its coefficient is 0");
+    context.note_effect("density diffusion", parameters_.density_diffusion > 0, "its coefficient is 0");
     filters_velocity_ = parameters_.filter_weight > 0 || parameters_.divergence_filter_weight > 0;
     context.note_effect("velocity filter", filters_velocity_, "its weights are 0");
     context.note_effect("tension", parameters_.tension == "allowed", "pressure below zero is cut off");
@@ -116,10 +115,12 @@ namespace Breakwater
 
     update_volumes();
     update_pressure();
+    diffusion_time_ += time_step;
+    effects_.density_diffusion = is_diffusion_due(time_step);
     update_forces();
     spend_contact_impulse(time_step);
     if (effects_.density_diffusion)
-      diffuse_density(time_step);
+      diffuse_density();
 
     for (std::size_t i = 0; i < nodes_.n; ++i)
       for (int d = 0; d < dim; ++d)
@@ -258,14 +259,28 @@ namespace Breakwater
 
 
   template <int dim>
-  void PfemFluid<dim>::diffuse_density(const double time_step)
+  bool PfemFluid<dim>::is_diffusion_due(const double time_step) const
   {
-    const EquationOfState &state  = parameters_.equation_of_state.front();
-    const double           c      = state.sound_speed(state.reference_density());
-    const double           factor = -parameters_.density_diffusion * c * time_step / (parameters_.spacing * (dim + 1));
+    if (!(parameters_.density_diffusion > 0))
+      return false;
+    const EquationOfState &state = parameters_.equation_of_state.front();
+    const double           c     = state.sound_speed(state.reference_density());
+    // The operator's eigenvalues are at most 1: up to xi c T / h = 1 no mode changes its sign.
+    return c * (diffusion_time_ + time_step) >
+           parameters_.spacing * std::min(parameters_.diffusion_period, 1 / parameters_.density_diffusion);
+  }
+
+
+  template <int dim>
+  void PfemFluid<dim>::diffuse_density()
+  {
+    const EquationOfState &state = parameters_.equation_of_state.front();
+    const double           c     = state.sound_speed(state.reference_density());
+    const double factor = -parameters_.density_diffusion * c * diffusion_time_ / (parameters_.spacing * (dim + 1));
     for (std::size_t i = 0; i < nodes_.n; ++i)
       if (nodes_.has_cells[i])
         nodes_.base_density[i] += factor * nodes_.force[i][3] / nodes_.stiffness_volume[i];
+    diffusion_time_ = 0;
   }
 
 

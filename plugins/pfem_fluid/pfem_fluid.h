@@ -64,7 +64,8 @@ namespace Breakwater
     void              update_body_acceleration();
     void              spend_contact_impulse(double time_step);
     void              add_interface_work();
-    void              diffuse_density(double time_step);
+    bool              is_diffusion_due(double time_step) const;
+    void              diffuse_density();
     void              filter_velocity();
     void              refresh_surface();
     void              check_state() const;
@@ -151,6 +152,7 @@ namespace Breakwater
     double        last_time_step_       = 0; ///< [s]
     double        interface_work_       = 0; ///< of other bodies on the fluid at interface nodes since the start [J]
     double        energy_after_remesh_  = 0; ///< less the interface's work [J]
+    double        diffusion_time_       = 0; ///< since the density was diffused [s]
     double        far_part_             = 1; ///< of the mass exchange, when it was last tried [-]
     double        volume_made_          = 0; ///< by remeshes since the start [m^dim]
     double        volume_lost_          = 0; ///< by remeshes since the start [m^dim]

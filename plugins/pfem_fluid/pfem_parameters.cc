@@ -117,6 +117,10 @@ namespace Breakwater
       reader.add("Density diffusion", density_diffusion,
                  "Coefficient xi of the diffusion xi c h of density, blind to hydrostatic gradients [-]; 0: none.",
                  {0., 1.});
+      reader.add("Density diffusion period", diffusion_period,
+                 "Longest time from one use of the diffusion to the next, in units of the spacing over the speed of "
+                 "sound [-]; 0: it is used at each step.",
+                 {0., 2.});
       reader.add("Velocity filter", filter_weight,
                  "Part of the velocity's deviation from a locally linear field that is taken away [-]; 0: none.",
                  {0., 0.5});

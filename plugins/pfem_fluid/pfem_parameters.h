@@ -64,8 +64,9 @@ namespace Breakwater
     NodeLimits<dim> node_limits;
     double          softening                = 12.;
     double          density_diffusion        = 0.5;
-    double          filter_weight            = 0.2;
-    unsigned int    filter_period            = 5;
+    double          diffusion_period         = 2.;
+    double          filter_weight            = 0.4;
+    unsigned int    filter_period            = 10;
     double          divergence_filter_weight = 1.5;
     double          cell_stiffness           = 1.;
     double          centroid_shift           = 0.1;
