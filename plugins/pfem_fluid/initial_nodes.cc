@@ -80,6 +80,7 @@ namespace Breakwater
     set_references();
     update_pressure();
     update_forces();
+    accelerate(0);
     refresh_surface();
   }
 

@@ -118,13 +118,9 @@ namespace Breakwater
     diffusion_time_ += time_step;
     effects_.density_diffusion = is_diffusion_due(time_step);
     update_forces();
-    spend_contact_impulse(time_step);
+    accelerate(time_step);
     if (effects_.density_diffusion)
       diffuse_density();
-
-    for (std::size_t i = 0; i < nodes_.n; ++i)
-      for (int d = 0; d < dim; ++d)
-        nodes_.v[i][d] += 0.5 * time_step * nodes_.a[i][d];
     walls.act(0.5 * time_step);
     walls.finish_step();
     parameters_.openings.finish_step(nodes_, time_);
@@ -191,31 +187,56 @@ namespace Breakwater
 
     update_viscosity();
     compute_forces<dim>(mesh_.cells, effects_, nodes_.xp, nodes_.v, nodes_.density_slope, nodes_.force);
-    auto &walls = parameters_.walls;
-    walls.begin_forces();
+    parameters_.walls.begin_forces();
     add_cap_forces();
+  }
 
+
+  template <int dim>
+  void PfemFluid<dim>::accelerate(const double time_step)
+  {
+    const auto body = [&](const std::size_t i) -> const Vec<dim> & {
+      return body_acceleration_[body_force_is_uniform_ ? 0 : i];
+    };
     for (std::size_t i = 0; i < nodes_.n_interface; ++i)
       {
         for (int d = 0; d < dim; ++d) // the weight of what it carries for another body acts there
           nodes_.a[i][d] = (nodes_.force[i][d] + nodes_.mass[i] * body(i)[d]) / nodes_.inertia(i);
       }
-    const bool allows_tension = parameters_.tension == "allowed";
+    if (time_step > 0)
+      spend_contact_impulse(time_step);
+    for (std::size_t i = 0; i < nodes_.n_interface; ++i)
+      for (int d = 0; d < dim; ++d)
+        nodes_.v[i][d] += 0.5 * time_step * nodes_.a[i][d];
+
+    const bool   allows_tension = parameters_.tension == "allowed";
+    const double fastest        = largest_speed();
+    bool         is_sound       = true;
     for (std::size_t i = nodes_.n_interface; i < nodes_.n; ++i)
       {
+        Quad           &a = nodes_.a[i], &v = nodes_.v[i];
         const double    inverse_mass      = 1. / nodes_.mass[i];
         const Vec<dim> &body_acceleration = body(i);
         for (int d = 0; d < dim; ++d)
-          nodes_.a[i][d] = nodes_.force[i][d] * inverse_mass + body_acceleration[d];
-        if (nodes_.contacts[i].empty())
-          continue;
-        const double slip_rate =
-          nodes_.slip_conductance.empty() ? 0. : effects_.viscosity * nodes_.slip_conductance[i] / nodes_.mass[i];
-        // A fluid that bears tension hangs on its walls.
-        const bool may_release = !allows_tension || !nodes_.has_cells[i];
-        walls.constrain(nodes_.xp[i].c, nodes_.a[i].c, nodes_.v[i].c, nodes_.mass[i], slip_rate, may_release,
-                        nodes_.contacts[i]);
+          a[d] = nodes_.force[i][d] * inverse_mass + body_acceleration[d];
+        if (!nodes_.contacts[i].empty())
+          {
+            const double slip_rate =
+              nodes_.slip_conductance.empty() ? 0. : effects_.viscosity * nodes_.slip_conductance[i] / nodes_.mass[i];
+            // A fluid that bears tension hangs on its walls.
+            const bool may_release = !allows_tension || !nodes_.has_cells[i];
+            parameters_.walls.constrain(nodes_.xp[i].c, a.c, v.c, nodes_.mass[i], slip_rate, may_release,
+                                        nodes_.contacts[i]);
+          }
+        double square = 0;
+        for (int d = 0; d < dim; ++d)
+          {
+            v[d] += 0.5 * time_step * a[d];
+            square += v[d] * v[d];
+          }
+        is_sound = is_sound && square <= fastest * fastest; // false for what is not a number
       }
+    is_sound_ = is_sound;
   }
 
 
@@ -280,7 +301,8 @@ namespace Breakwater
     for (std::size_t i = 0; i < nodes_.n; ++i)
       if (nodes_.has_cells[i])
         nodes_.base_density[i] += factor * nodes_.force[i][3] / nodes_.stiffness_volume[i];
-    diffusion_time_ = 0;
+    diffusion_time_            = 0;
+    effects_.density_diffusion = false;
   }
 
 
@@ -370,11 +392,18 @@ namespace Breakwater
 
 
   template <int dim>
+  double PfemFluid<dim>::largest_speed() const
+  {
+    const EquationOfState &state = parameters_.equation_of_state.front();
+    return parameters_.largest_mach_number * state.sound_speed(state.reference_density());
+  }
+
+
+  template <int dim>
   void PfemFluid<dim>::check_state() const
   {
-    const EquationOfState &state   = parameters_.equation_of_state.front();
-    const double           fastest = parameters_.largest_mach_number * state.sound_speed(state.reference_density());
-    for (std::size_t i = 0; i < nodes_.n; ++i)
+    const double fastest = largest_speed();
+    for (std::size_t i = 0; i < (is_sound_ ? nodes_.n_interface : nodes_.n); ++i)
       {
         double sum = nodes_.xp[i][3], square = 0;
         for (int d = 0; d < dim; ++d)

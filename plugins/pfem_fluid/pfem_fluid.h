@@ -60,6 +60,7 @@ namespace Breakwater
     // pfem_fluid.cc: one time step
     void              update_pressure();
     void              update_forces();
+    void              accelerate(double time_step); ///< and the second half of the kick; 0: no kick [s]
     void              update_viscosity();
     void              update_body_acceleration();
     void              spend_contact_impulse(double time_step);
@@ -68,6 +69,7 @@ namespace Breakwater
     void              diffuse_density();
     void              filter_velocity();
     void              refresh_surface();
+    double            largest_speed() const; ///< that is allowed [m/s]
     void              check_state() const;
     [[noreturn]] void fail_at_node(std::size_t node, double fastest) const;
     bool              needs_remeshing() const;
@@ -136,6 +138,7 @@ namespace Breakwater
     ForceEffects             effects_;
     bool                     body_force_is_uniform_ = true;
     bool                     filters_velocity_      = true;
+    bool                     is_sound_ = true;   ///< no node but the interface's is too fast after the last step
     std::vector<Vec<dim>>    body_acceleration_; ///< one for all nodes if uniform, else one per node [m/s^2]
     FilterBuffers            filter_buffers_;
     std::vector<double>      shear_rate_;          ///< of the cells of a fluid that is not Newtonian [1/s]

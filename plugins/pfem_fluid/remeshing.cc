@@ -79,6 +79,7 @@ namespace Breakwater
     // Interface nodes keep the acceleration that they share with their companions.
     const std::vector<Quad> acceleration(nodes_.a.begin(), nodes_.a.begin() + nodes_.n_interface);
     update_forces();
+    accelerate(0);
     std::copy(acceleration.begin(), acceleration.end(), nodes_.a.begin());
     if (record.n_pushed_out > 0)
       contact_impulse_ = impulse;

@@ -1,8 +1,7 @@
 #include <breakwater/base/binary_stream.h>
 #include <breakwater/base/exceptions.h>
 #include <breakwater/simulation/field_output.h>
-
-#include <deal.II/base/data_out_base.h>
+#include <breakwater/simulation/vtu_text.h>
 
 #include <cctype>
 #include <fstream>
@@ -13,68 +12,6 @@ namespace Breakwater
   namespace
   {
     namespace fs = std::filesystem;
-
-    /// Patches of deal.II, one per cell, whose reference cell is set already for vertices (mesh_dim = 0).
-    template <int mesh_dim, int dim>
-    std::vector<dealii::DataOutBase::Patch<mesh_dim, dim>> make_patches(const OutputMesh<dim>           &mesh,
-                                                                        const std::vector<unsigned int> &cells,
-                                                                        const unsigned int vertices_per_cell)
-    {
-      unsigned int n_components = 0;
-      for (const auto &field : mesh.fields)
-        n_components += field.n_components;
-
-      const std::size_t                                      n_cells = cells.size() / vertices_per_cell;
-      std::vector<dealii::DataOutBase::Patch<mesh_dim, dim>> patches(n_cells);
-      for (std::size_t c = 0; c < n_cells; ++c)
-        {
-          auto &patch       = patches[c];
-          patch.patch_index = c;
-          if constexpr (mesh_dim > 0)
-            {
-              patch.n_subdivisions = 1;
-              patch.reference_cell = vertices_per_cell == mesh_dim + 1 ?
-                                       dealii::ReferenceCells::get_simplex<mesh_dim>() :
-                                       dealii::ReferenceCells::get_hypercube<mesh_dim>();
-            }
-          patch.data.reinit(n_components, vertices_per_cell);
-          for (unsigned int v = 0; v < vertices_per_cell; ++v)
-            {
-              const unsigned int node = cells[c * vertices_per_cell + v];
-              for (int d = 0; d < dim; ++d)
-                patch.vertices[v][d] = mesh.position[node][d];
-              unsigned int row = 0;
-              for (const auto &field : mesh.fields)
-                for (unsigned int i = 0; i < field.n_components; ++i)
-                  patch.data(row++, v) = static_cast<float>(field.values[node * field.n_components + i]);
-            }
-        }
-      return patches;
-    }
-
-    template <int mesh_dim, int dim>
-    std::string vtu_text(const OutputMesh<dim> &mesh, const std::vector<unsigned int> &cells,
-                         const unsigned int vertices_per_cell, const double time)
-    {
-      using Interpretation = dealii::DataComponentInterpretation::DataComponentInterpretation;
-      std::vector<std::string>                                                         names;
-      std::vector<std::tuple<unsigned int, unsigned int, std::string, Interpretation>> vectors;
-      for (const auto &field : mesh.fields)
-        {
-          if (field.n_components > 1)
-            vectors.emplace_back(names.size(), names.size() + field.n_components - 1, field.name,
-                                 dealii::DataComponentInterpretation::component_is_part_of_vector);
-          for (unsigned int i = 0; i < field.n_components; ++i)
-            names.push_back(field.n_components > 1 ? field.name + "_" + std::to_string(i) : field.name);
-        }
-      dealii::DataOutBase::VtkFlags flags;
-      flags.time              = time;
-      flags.compression_level = dealii::DataOutBase::VtkFlags::best_speed;
-      std::ostringstream stream;
-      dealii::DataOutBase::write_vtu(make_patches<mesh_dim>(mesh, cells, vertices_per_cell), names, vectors, flags,
-                                     stream);
-      return stream.str();
-    }
 
     /// Nodes that no cell has.
     template <int dim>
@@ -153,16 +90,14 @@ namespace Breakwater
       {
         // An empty mesh still gets its file: readers expect the same parts at every time.
         const std::string file = file_stem(name) + number;
-        write_whole_file(directory_ / file, mesh.vertices_per_cell == 1 ?
-                                              vtu_text<0>(mesh, mesh.cells, 1, time) :
-                                              vtu_text<dim>(mesh, mesh.cells, mesh.vertices_per_cell, time));
+        write_whole_file(directory_ / file, vtu_text(mesh, mesh.cells, mesh.vertices_per_cell, time));
         records_.push_back({time, part++, name, file});
 
         const std::vector<unsigned int> loose = loose_nodes(mesh);
         if (!loose.empty())
           {
             const std::string loose_file = file_stem(name) + "-nodes" + number;
-            write_whole_file(directory_ / loose_file, vtu_text<0>(mesh, loose, 1, time));
+            write_whole_file(directory_ / loose_file, vtu_text(mesh, loose, 1, time));
             records_.push_back(
               {time, static_cast<unsigned int>(meshes.size()) + part - 1, name + " (isolated nodes)", loose_file});
           }

@@ -1,4 +1,4 @@
-"""Reads the nodes of a VTU file as the program writes it: zlib-compressed, base64, nodes repeated in every cell."""
+"""Reads the nodes of a VTU file as the program writes it: zlib-compressed, base64."""
 
 import base64
 import re

@@ -9,7 +9,7 @@
 
 namespace Breakwater
 {
-  /// Writes meshes with fields as VTU files (by deal.II) and keeps solution.pvd, which lists them by time, whole:
+  /// Writes meshes with fields as VTU files and keeps solution.pvd, which lists them by time, whole:
   /// every file gets its name when it is complete.
   class FieldOutput
   {
