@@ -199,10 +199,8 @@ namespace Breakwater
       return body_acceleration_[body_force_is_uniform_ ? 0 : i];
     };
     for (std::size_t i = 0; i < nodes_.n_interface; ++i)
-      {
-        for (int d = 0; d < dim; ++d) // the weight of what it carries for another body acts there
-          nodes_.a[i][d] = (nodes_.force[i][d] + nodes_.mass[i] * body(i)[d]) / nodes_.inertia(i);
-      }
+      for (int d = 0; d < dim; ++d) // the weight of what it carries for another body acts there
+        nodes_.a[i][d] = (nodes_.force[i][d] + nodes_.mass[i] * body(i)[d]) / nodes_.inertia(i);
     if (time_step > 0)
       spend_contact_impulse(time_step);
     for (std::size_t i = 0; i < nodes_.n_interface; ++i)
