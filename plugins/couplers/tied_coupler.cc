@@ -262,6 +262,14 @@ namespace Breakwater
   }
 
 
+  template <int dim>
+  double TiedCoupler<dim>::stable_time_step()
+  {
+    choose_coarse_domains();
+    return plan_steps(std::numeric_limits<double>::infinity()).coarse_step;
+  }
+
+
   // m = max(1, floor(Dt_A / dt_B)),  Dt = min(Dt_A, m dt_B, largest step)
   template <int dim>
   typename TiedCoupler<dim>::Schedule TiedCoupler<dim>::plan_steps(const double max_time_step) const

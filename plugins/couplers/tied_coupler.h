@@ -21,8 +21,9 @@ namespace Breakwater
     void declare_parameters(ParameterReader &reader) override;
     void check_parameters(ParameterReader &reader) override;
 
-    void adopt_surfaces(const std::vector<ExplicitDomain<dim> *> &domains, const std::vector<Tie> &ties) override;
-    void setup(RunContext &context) override;
+    void   adopt_surfaces(const std::vector<ExplicitDomain<dim> *> &domains, const std::vector<Tie> &ties) override;
+    void   setup(RunContext &context) override;
+    double stable_time_step() override;
     const InterfaceBalance &balance(const unsigned int tie) const override { return balances_[tie]; }
     Vec<dim>                interface_force(unsigned int tie) const override;
     void                    save(std::ostream &stream) const override;

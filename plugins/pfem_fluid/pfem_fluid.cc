@@ -176,11 +176,13 @@ namespace Breakwater
     };
     if (effects_.density_diffusion)
       {
-        // The hydrostatic gradient of the density in a fluid that accelerates by a is rho / c^2 (g - a).
+        // The hydrostatic gradient of the density in a fluid that accelerates by a is rho / c^2 (g - a). The acceleration
+        // of interface nodes is the structure's: its fast vibrations are none of the fluid's, and would be driven.
         for (std::size_t i = 0; i < nodes_.n; ++i)
           {
+            const double moves = i < nodes_.n_interface ? 0. : 1.;
             for (int d = 0; d < dim; ++d)
-              nodes_.density_slope[i][d] = nodes_.hydrostatic_slope[i] * (body(i)[d] - nodes_.a[i][d]);
+              nodes_.density_slope[i][d] = nodes_.hydrostatic_slope[i] * (body(i)[d] - moves * nodes_.a[i][d]);
             nodes_.density_slope[i][3] = nodes_.density[i];
           }
       }

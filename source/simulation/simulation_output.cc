@@ -260,7 +260,7 @@ namespace Breakwater
       write_binary(stream, dim);
       write_binary(stream, time_);
       write_binary(stream, time_step_);
-      write_binary(stream, natural_step_);
+      write_binary(stream, kept_step_);
       write_binary(stream, n_fields_);
       write_binary(stream, n_histories_);
       write_binary(stream, last_fields_time_);
@@ -297,7 +297,7 @@ namespace Breakwater
     std::ifstream stream(checkpoint_file(context_->output_directory()), std::ios::binary);
     time_ = last_checkpoint_time_ = read_checkpoint_head(stream, dim);
     read_binary(stream, time_step_);
-    read_binary(stream, natural_step_);
+    read_binary(stream, kept_step_);
     read_binary(stream, n_fields_);
     read_binary(stream, n_histories_);
     read_binary(stream, last_fields_time_);

@@ -47,6 +47,9 @@ namespace Breakwater
     /// @throws InputError if surfaces can't be tied in the way that the parameters ask for
     virtual void setup(RunContext &context) = 0;
 
+    /// The coarse step [s] that is stable now: what advance() takes if nothing cuts it short.
+    virtual double stable_time_step() = 0;
+
     /// One coarse step of all domains, not longer than max_time_step [s]. @return its length [s]
     virtual double advance(double max_time_step) = 0;
 

@@ -108,7 +108,7 @@ namespace Breakwater
 
     void   advance();
     double next_event() const;
-    double coarse_stable_step() const;
+    double wanted_step();
     double wall_seconds() const;
 
     void write_due_output(bool is_last);
@@ -143,14 +143,14 @@ namespace Breakwater
     std::unique_ptr<Progress>                      progress_;
     std::vector<NamedDomain>                       domains_; ///< the bodies
     std::vector<std::unique_ptr<DomainGroup<dim>>> groups_;
-    std::vector<ExplicitDomain<dim> *>    sides_; ///< bodies or groups: one that goes alone, or two that are coupled
-    std::vector<Probe<dim>>               probes_;
-    Monitor                               monitor_;
-    double                                time_         = 0; ///< [s]
-    double                                time_step_    = 0; ///< the last one [s]
-    double                                natural_step_ = 0; ///< last coupled step that nothing cut short [s]
-    unsigned long                         n_fields_     = 0; ///< outputs of fields so far
-    unsigned long                         n_histories_  = 0;
+    std::vector<ExplicitDomain<dim> *> sides_; ///< bodies or groups: one that goes alone, or two that are coupled
+    std::vector<Probe<dim>>            probes_;
+    Monitor                            monitor_;
+    double                             time_      = 0; ///< [s]
+    double                             time_step_ = 0; ///< the last one [s]
+    double        kept_step_   = 0; ///< coupled step that is taken while the bound changes little [s]
+    unsigned long n_fields_    = 0; ///< outputs of fields so far
+    unsigned long n_histories_ = 0;
     std::chrono::steady_clock::time_point start_;
     double                                earlier_wall_seconds_ = 0;  ///< of the run that was resumed
     double                                last_fields_time_     = -1; ///< [s]
