@@ -191,6 +191,7 @@ namespace Breakwater
     compute_forces<dim>(mesh_.cells, effects_, nodes_.xp, nodes_.v, nodes_.density_slope, nodes_.force);
     parameters_.walls.begin_forces();
     add_cap_forces();
+    give_rim_forces_to_walls();
   }
 
 

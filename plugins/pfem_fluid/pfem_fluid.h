@@ -89,7 +89,19 @@ namespace Breakwater
     void collect_curved_facets();
     void update_volumes();
     void add_cap_forces();
+
     Cap  cap_of(const CurvedFacet &facet) const;
+
+    // rim_facets.cc
+    struct RimFacet
+    {
+      typename SimplexMesh<dim>::Cell  cell;
+      typename SimplexMesh<dim>::Facet nodes;
+      unsigned int                     opposite; ///< node of the cell
+      Contacts                         faces;    ///< of walls that all its nodes lie on
+    };
+    void collect_rim_facets();
+    void give_rim_forces_to_walls();
 
     // remeshing.cc
     void        remesh();
@@ -134,6 +146,7 @@ namespace Breakwater
     SimplexMesh<dim>  mesh_;
     SimplexMesh<dim>  unsmoothed_mesh_; ///< the same after the last remesh, as triangulated; empty without smoothers
     std::vector<CurvedFacet> curved_facets_; ///< of the mesh
+    std::vector<RimFacet>    rim_facets_;    ///< facets of cells on walls, with a node of another body
     AdoptedSurface<dim>      adopted_;
     ForceEffects             effects_;
     bool                     body_force_is_uniform_ = true;

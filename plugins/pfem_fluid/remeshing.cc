@@ -382,6 +382,7 @@ namespace Breakwater
   template <int dim>
   void PfemFluid<dim>::set_references()
   {
+    collect_rim_facets();
     const EquationOfState &state = parameters_.equation_of_state.front();
     std::vector<double>    inertia(nodes_.n);
     for (std::size_t i = 0; i < nodes_.n; ++i)

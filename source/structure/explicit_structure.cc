@@ -29,20 +29,20 @@ namespace Breakwater
       return text.str();
     }
 
-    /// The velocity [m/s] that the expressions in `text` give at each node [m].
+    /// The vectors that the expressions in `text` give at each place [m].
     template <int dim>
-    std::vector<Vec<dim>> evaluate_velocity(const std::string &text, const std::vector<Vec<dim>> &nodes)
+    std::vector<Vec<dim>> evaluate_vectors(const std::string &text, const std::vector<Vec<dim>> &nodes)
     {
       const Expression<dim> expression(text, dim, Expression<dim>::Variables::place);
-      std::vector<Vec<dim>> velocity(nodes.size());
+      std::vector<Vec<dim>> result(nodes.size());
       for (std::size_t i = 0; i < nodes.size(); ++i)
         for (int d = 0; d < dim; ++d)
           {
-            velocity[i][d] = expression.value(nodes[i], 0., d);
-            if (!std::isfinite(velocity[i][d]))
+            result[i][d] = expression.value(nodes[i], 0., d);
+            if (!std::isfinite(result[i][d]))
               throw InputError("\"" + text + "\" has no finite value at every node");
           }
-      return velocity;
+      return result;
     }
   } // namespace
 
@@ -63,6 +63,10 @@ namespace Breakwater
                  "box(x0, y0; x1, y1; nx, ny): two opposite corners [m] and the number of cells in each direction." :
                  "box(x0, y0, z0; x1, y1, z1; nx, ny, nz): two opposite corners [m] and the number of cells in each "
                  "direction.");
+    reader.add("Mapping", mapping_text_,
+               "Where the points of the box go [m], for bodies of other shapes: one expression for each component, "
+               "separated by commas, in the coordinates x, y, z of the box [m] and pi; empty: the box itself. "
+               "Boundaries keep their names, edges of cells are straight.");
     reader.add("Degree", degree_,
                "Polynomial degree of the cells. Degree 2 bends well with one cell across the thickness; its nodes in "
                "the middle of edges, faces and cells count for the wet surface as well.",
@@ -107,6 +111,10 @@ namespace Breakwater
     check("Mesh", [&] {
       box_ = parse_box_mesh<dim>(mesh_text_);
     });
+    check("Mapping", [&] {
+      if (!mapping_text_.empty())
+        evaluate_vectors<dim>(mapping_text_, {0.5 * (box_.lower + box_.upper)});
+    });
     check("Clamp", [&] {
       is_clamped_ = parse_boundaries<dim>(clamp_names_);
     });
@@ -121,7 +129,7 @@ namespace Breakwater
         is_wet_ = parse_boundaries<dim>(wet_names_);
     });
     check("Initial velocity", [&] {
-      evaluate_velocity<dim>(initial_velocity_text_, {0.5 * (box_.lower + box_.upper)});
+      evaluate_vectors<dim>(initial_velocity_text_, {0.5 * (box_.lower + box_.upper)});
     });
 
     SectionScope scope(reader, "Material");
@@ -145,7 +153,12 @@ namespace Breakwater
     body_forces_ = &body_forces;
     context_     = &context;
 
-    mesh_         = make_solid_mesh<dim>(box_, degree_);
+    std::function<Vec<dim>(const Vec<dim> &)> place;
+    if (!mapping_text_.empty())
+      place = [this](const Vec<dim> &x) {
+        return evaluate_vectors<dim>(mapping_text_, {x}).front();
+      };
+    mesh_         = make_solid_mesh<dim>(box_, degree_, place);
     kernel_       = make_cell_kernel<dim>(mesh_, material_.front());
     mass_         = kernel_->lumped_mass();
     inertia_      = mass_;
@@ -162,7 +175,7 @@ namespace Breakwater
     acceleration_.assign(n_nodes, {});
     force_.assign(n_nodes, {});
     position_ = mesh_.nodes;
-    velocity_ = evaluate_velocity<dim>(initial_velocity_text_, mesh_.nodes);
+    velocity_ = evaluate_vectors<dim>(initial_velocity_text_, mesh_.nodes);
     for (std::size_t i = 0; i < n_nodes; ++i)
       if (inverse_mass_[i] == 0)
         velocity_[i] = {};

@@ -65,6 +65,7 @@ namespace Breakwater
 
     PluginList<Material<dim>> material_;
     std::string               mesh_text_;
+    std::string               mapping_text_; ///< empty: none
     unsigned int              degree_ = 2;
     std::vector<std::string>  clamp_names_;
     std::vector<std::string>  wet_names_       = {"all"};

@@ -10,6 +10,9 @@
 #include <deal.II/fe/fe_values.h>
 #include <deal.II/fe/mapping_q.h>
 #include <deal.II/grid/grid_generator.h>
+#include <deal.II/grid/grid_tools.h>
+
+#include <algorithm>
 
 namespace Breakwater
 {
@@ -76,7 +79,8 @@ namespace Breakwater
 
 
   template <int dim>
-  SolidMesh<dim> make_solid_mesh(const BoxMesh<dim> &box, const unsigned int degree)
+  SolidMesh<dim> make_solid_mesh(const BoxMesh<dim> &box, const unsigned int degree,
+                                 const std::function<Vec<dim>(const Vec<dim> &)> &place)
   {
     using namespace dealii;
     if (Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) != 1)
@@ -91,6 +95,19 @@ namespace Breakwater
     parallel::distributed::Triangulation<dim> triangulation(MPI_COMM_WORLD);
     const std::vector<unsigned int>           n_cells(box.n_cells.begin(), box.n_cells.end());
     GridGenerator::subdivided_hyper_rectangle(triangulation, n_cells, lower, upper, true);
+    if (place)
+      GridTools::transform(
+        [&place](const Point<dim> &point) {
+          Vec<dim> x;
+          for (int d = 0; d < dim; ++d)
+            x[d] = point[d];
+          x = place(x);
+          Point<dim> moved;
+          for (int d = 0; d < dim; ++d)
+            moved[d] = x[d];
+          return moved;
+        },
+        triangulation);
     const FE_Q<dim> fe(degree);
     DoFHandler<dim> dof_handler(triangulation);
     dof_handler.distribute_dofs(fe);
@@ -125,6 +142,12 @@ namespace Breakwater
           }
       }
 
+    if (!std::all_of(mesh.point_volume.begin(), mesh.point_volume.end(), [](const double v) {
+          return v > 0;
+        }))
+      throw InputError(
+        "a cell of the mapped mesh has no volume or is turned inside out: the mapping must keep the sense "
+        "of rotation");
     unsigned int index = 0;
     for (const auto &cell : dof_handler.active_cell_iterators())
       {
@@ -139,6 +162,8 @@ namespace Breakwater
 
   template struct SolidMesh<2>;
   template struct SolidMesh<3>;
-  template SolidMesh<2> make_solid_mesh(const BoxMesh<2> &, unsigned int);
-  template SolidMesh<3> make_solid_mesh(const BoxMesh<3> &, unsigned int);
+  template SolidMesh<2> make_solid_mesh(const BoxMesh<2> &, unsigned int,
+                                        const std::function<Vec<2>(const Vec<2> &)> &);
+  template SolidMesh<3> make_solid_mesh(const BoxMesh<3> &, unsigned int,
+                                        const std::function<Vec<3>(const Vec<3> &)> &);
 } // namespace Breakwater

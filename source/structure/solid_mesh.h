@@ -4,6 +4,7 @@
 
 #include <breakwater/mesh/wet_surface.h>
 
+#include <functional>
 #include <vector>
 
 namespace Breakwater
@@ -36,7 +37,9 @@ namespace Breakwater
     Vec<dim>     cell_centre(unsigned int cell) const; ///< undeformed [m]
   };
 
-  /// @throws InputError if the program runs on more than one rank
+  /// @param place where the vertices of the box go [m], edges staying straight; empty: they stay
+  /// @throws InputError if the program runs on more than one rank, or if a cell is turned inside out
   template <int dim>
-  SolidMesh<dim> make_solid_mesh(const BoxMesh<dim> &box, unsigned int degree);
+  SolidMesh<dim> make_solid_mesh(const BoxMesh<dim> &box, unsigned int degree,
+                                 const std::function<Vec<dim>(const Vec<dim> &)> &place = {});
 } // namespace Breakwater
