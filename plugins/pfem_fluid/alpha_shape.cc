@@ -48,15 +48,18 @@ namespace Breakwater
 
 
   template <int dim>
-  SimplexMesh<dim> alpha_shape(const DelaunayMesh<dim> &triangulation, const double largest_circumradius,
-                               const std::function<bool(const typename SimplexMesh<dim>::Cell &)> &keep,
-                               const std::function<bool(const typename SimplexMesh<dim>::Cell &)> &is_small_anyway)
+  SimplexMesh<dim> alpha_shape(
+    const DelaunayMesh<dim> &triangulation, const double largest_circumradius,
+    const std::function<bool(const typename SimplexMesh<dim>::Cell &)>         &keep,
+    const std::function<bool(const typename SimplexMesh<dim>::Cell &, double)> &is_small_anyway,
+    std::vector<typename SimplexMesh<dim>::Cell>                               *gaps)
   {
     const auto                     &linked   = triangulation.cells();
     const std::vector<Vec<dim>>    &position = triangulation.position();
     SimplexMesh<dim>                mesh;
     std::vector<char>               is_fluid(linked.size(), 0);
     typename SimplexMesh<dim>::Cell cell;
+    mesh.cells.reserve(linked.size());
     for (std::size_t c = 0; c < linked.size(); ++c)
       {
         // The circumradius is computed on the sorted tuple, so that it does not depend on how the cell was found.
@@ -67,23 +70,29 @@ namespace Breakwater
         const double radius = circumradius(corners<dim>(position, cell));
         if (!is_even)
           std::swap(cell[dim - 1], cell[dim]);
-        if ((radius <= largest_circumradius || (is_small_anyway && is_small_anyway(cell))) && keep(cell))
+        if ((radius <= largest_circumradius || (is_small_anyway && is_small_anyway(cell, radius))) && keep(cell))
           {
             is_fluid[c] = 1;
             mesh.cells.push_back(cell);
           }
       }
 
+    const auto is_outside = [&](const unsigned int c) {
+      return c == no_cell || !is_fluid[c];
+    };
     for (std::size_t c = 0; c < linked.size(); ++c)
-      if (is_fluid[c])
-        for (int a = 0; a <= dim; ++a)
-          if (linked[c].neighbor[a] == no_cell || !is_fluid[linked[c].neighbor[a]])
+      {
+        for (int a = 0; a <= dim && is_fluid[c]; ++a)
+          if (is_outside(linked[c].neighbor[a]))
             {
               auto facet = outward_facet<dim>(linked[c].node, a);
               if (!sort_evenly(facet))
                 std::swap(facet[dim - 2], facet[dim - 1]);
               mesh.boundary.push_back(facet);
             }
+        if (gaps && !is_fluid[c] && linked[c].node[0] != linked[c].node[1]) // not an unused one
+          gaps->push_back(linked[c].node);
+      }
     std::sort(mesh.boundary.begin(), mesh.boundary.end());
     sort_by_highest_node<dim>(mesh.cells, triangulation.n_nodes());
     return mesh;
@@ -100,10 +109,12 @@ namespace Breakwater
 
   template SimplexMesh<2> alpha_shape<2>(const DelaunayMesh<2> &, double,
                                          const std::function<bool(const SimplexMesh<2>::Cell &)> &,
-                                         const std::function<bool(const SimplexMesh<2>::Cell &)> &);
+                                         const std::function<bool(const SimplexMesh<2>::Cell &, double)> &,
+                                         std::vector<SimplexMesh<2>::Cell> *);
   template SimplexMesh<3> alpha_shape<3>(const DelaunayMesh<3> &, double,
                                          const std::function<bool(const SimplexMesh<3>::Cell &)> &,
-                                         const std::function<bool(const SimplexMesh<3>::Cell &)> &);
+                                         const std::function<bool(const SimplexMesh<3>::Cell &, double)> &,
+                                         std::vector<SimplexMesh<3>::Cell> *);
   template void           order_cells<2>(std::vector<SimplexMesh<2>::Cell> &, std::size_t);
   template void           order_cells<3>(std::vector<SimplexMesh<3>::Cell> &, std::size_t);
 } // namespace Breakwater

@@ -17,13 +17,15 @@ namespace Breakwater
   /// bit, whether the triangulation is new or was repaired.
   ///
   /// @param keep tells for a cell (positively oriented) whether it is fluid; asked only for cells small enough
-  /// @param is_small_anyway tells for a cell beyond the largest circumradius whether it counts as small enough; the
-  /// default is that none does
+  /// @param is_small_anyway tells for a cell beyond the largest circumradius, and its circumradius, whether it counts as
+  /// small enough; the default is that none does
+  /// @param gaps if not null, gets the cells that are left out, those with far nodes included
   template <int dim>
   SimplexMesh<dim> alpha_shape(
     const DelaunayMesh<dim> &triangulation, double largest_circumradius,
-    const std::function<bool(const typename SimplexMesh<dim>::Cell &)> &keep,
-    const std::function<bool(const typename SimplexMesh<dim>::Cell &)> &is_small_anyway = {});
+    const std::function<bool(const typename SimplexMesh<dim>::Cell &)>         &keep,
+    const std::function<bool(const typename SimplexMesh<dim>::Cell &, double)> &is_small_anyway = {},
+    std::vector<typename SimplexMesh<dim>::Cell>                               *gaps            = nullptr);
 
   /// Puts cells into the order that alpha_shape() gives them; each is rotated so that its highest nodes are its last.
   template <int dim>

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <iterator>
 #include <numeric>
 
 namespace Breakwater
@@ -152,14 +153,10 @@ namespace Breakwater
   template <int dim>
   bool DelaunayMesh<dim>::move_to(const std::vector<Vec<dim>> &position)
   {
-    std::vector<char> has_moved(position_.size(), 0);
-    for (std::size_t i = 0; i < position.size(); ++i)
-      for (int d = 0; d < dim; ++d)
-        has_moved[i] = has_moved[i] || position_[i][d] != position[i][d];
     auto other_position = position_; // the new one, then the old one
     std::copy(position.begin(), position.end(), other_position.begin());
     position_.swap(other_position);
-    const auto inverted = find_bad_facets(has_moved);
+    const auto inverted = find_bad_facets();
     if (inverted.empty())
       return true;
     // Where the nodes were, the triangulation is Delaunay: any of them can be taken out there.
@@ -171,16 +168,12 @@ namespace Breakwater
 
 
   template <int dim>
-  std::vector<unsigned int> DelaunayMesh<dim>::find_bad_facets(const std::vector<char> &has_moved)
+  std::vector<unsigned int> DelaunayMesh<dim>::find_bad_facets()
   {
     std::vector<unsigned int> inverted;
-    std::vector<char>         moves(cells_.size(), 0); // the cells
-    for (unsigned int c = 0; c < cells_.size(); ++c)
-      for (const unsigned int i : cells_[c].node)
-        moves[c] |= has_moved[i];
     for (unsigned int c = 0; c < cells_.size(); ++c)
       {
-        if (!moves[c])
+        if (is_unused(c))
           continue;
         const Cell             &cell = cells_[c];
         const Circumsphere<dim> sphere(corners_of(cell.node));
@@ -193,8 +186,7 @@ namespace Breakwater
           {
             // Between positive cells, one side's sphere tells.
             const unsigned int neighbor = cell.neighbor[a];
-            if (neighbor != no_cell && (neighbor > c || !moves[neighbor]) &&
-                !sphere.is_surely_outside(position_[node_across(cell, a)]))
+            if (neighbor != no_cell && neighbor > c && !sphere.is_surely_outside(position_[node_across(cell, a)]))
               to_check_.push_back({c, a});
           }
       }
@@ -337,7 +329,12 @@ namespace Breakwater
     for (Cell &cell : cells_)
       for (unsigned int &i : cell.node)
         i = new_number[i];
-    sort_cells();
+    std::vector<unsigned int> kept;
+    std::remove_copy(order.begin(), order.end(), std::back_inserter(kept), no_node);
+    if (std::is_sorted(kept.begin(), kept.end()))
+      find_cells();
+    else
+      sort_cells();
   }
 
 
@@ -368,10 +365,18 @@ namespace Breakwater
         }
     cells_.swap(sorted);
     unused_.clear();
+    find_cells();
+  }
+
+
+  template <int dim>
+  void DelaunayMesh<dim>::find_cells()
+  {
     cell_of_.assign(position_.size(), no_cell);
     for (unsigned int c = 0; c < cells_.size(); ++c)
-      for (const unsigned int i : cells_[c].node)
-        cell_of_[i] = c;
+      if (!is_unused(c))
+        for (const unsigned int i : cells_[c].node)
+          cell_of_[i] = c;
   }
 
   template class DelaunayMesh<2>;

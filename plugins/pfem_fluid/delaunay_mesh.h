@@ -45,7 +45,8 @@ namespace Breakwater
     Report update(const std::vector<Vec<dim>> &position);
 
     /// The nodes have got new numbers: node k was order[k], or is new if that is no_node; nodes that do not appear are
-    /// gone. New nodes get their cells in the next update(). Puts the cells into the order of their highest nodes.
+    /// gone. New nodes get their cells in the next update(). If the order of the others has changed, the cells are put into
+    /// the order of their highest nodes.
     void renumber(const std::vector<unsigned int> &order);
 
     static constexpr unsigned int no_node = no_cell;
@@ -78,11 +79,12 @@ namespace Breakwater
 
     // delaunay_mesh.cc
     void                      sort_cells(); ///< by their highest nodes
+    void                      find_cells(); ///< of all nodes
     bool                      is_framed(const std::vector<Vec<dim>> &position) const;
     bool                      repair(const std::vector<Vec<dim>> &position);
     bool                      remove_nodes(const std::vector<unsigned int> &nodes);
     bool                      move_to(const std::vector<Vec<dim>> &position);
-    std::vector<unsigned int> find_bad_facets(const std::vector<char> &has_moved); ///< @return inverted cells
+    std::vector<unsigned int> find_bad_facets(); ///< @return inverted cells
     Simplex<dim> corners_of(const std::array<unsigned int, dim + 1> &node) const { return corners_of(node, position_); }
     Simplex<dim> corners_of(const std::array<unsigned int, dim + 1> &node, const std::vector<Vec<dim>> &position) const;
     bool         has_cells(const unsigned int node) const { return cell_of_[node] != no_cell; }

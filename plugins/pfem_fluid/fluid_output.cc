@@ -150,6 +150,7 @@ namespace Breakwater
     visit_nodes(nodes_, mesh_, visit);
     visit(unsmoothed_mesh_.cells);
     visit(unsmoothed_mesh_.boundary);
+    visit(gaps_.cells);
     Openings<dim>::visit_state(parameters_.openings, visit);
     visit(received_);
     visit(contact_impulse_);
@@ -179,6 +180,7 @@ namespace Breakwater
     nodes_.number_in_triangulation.resize(nodes_.n);
     std::iota(nodes_.number_in_triangulation.begin(), nodes_.number_in_triangulation.end(), 0u);
     triangulation_ = {}; // it is still that of the initial state: make it anew
+    visit(gaps_.cells);
     Openings<dim>::visit_state(parameters_.openings, visit);
     parameters_.openings.find_driven(nodes_);
     visit(received_);

@@ -1,6 +1,7 @@
 #include "former_fluid.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace Breakwater
 {
@@ -26,11 +27,11 @@ namespace Breakwater
 
 
   template <int dim>
-  FormerFluid<dim>::FormerFluid(const SimplexMesh<dim> &mesh, const std::vector<unsigned int> &old_number)
-    : mesh_(mesh)
-    , old_number_(old_number)
+  FormerFluid<dim>::FormerFluid(SimplexMesh<dim> mesh, std::vector<unsigned int> old_number)
+    : mesh_(std::move(mesh))
+    , old_number_(std::move(old_number))
   {
-    for (const Facet &facet : mesh.boundary)
+    for (const Facet &facet : mesh_.boundary)
       surface_.push_back(rotated(facet));
     std::sort(surface_.begin(), surface_.end());
   }

@@ -16,7 +16,7 @@ namespace Breakwater
 
     /// @param mesh its cells sorted by their highest nodes
     /// @param old_number of the nodes in that mesh; larger than all for nodes that are new since
-    FormerFluid(const SimplexMesh<dim> &mesh, const std::vector<unsigned int> &old_number);
+    FormerFluid(SimplexMesh<dim> mesh, std::vector<unsigned int> old_number);
 
     /// True if the cell was in the mesh.
     bool had(const Cell &cell) const;

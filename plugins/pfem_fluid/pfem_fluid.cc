@@ -378,17 +378,8 @@ namespace Breakwater
       return true;
     if (parameters_.walls.has_travelled(0.3 * parameters_.spacing))
       return true;
-    // Bodies of fluid that fly towards each other share no cell: look again before they can pass a node.
-    for (std::size_t i = 0; i < nodes_.n; ++i)
-      if (nodes_.is_surface[i] || !nodes_.has_cells[i])
-        {
-          double square = 0;
-          for (int d = 0; d < dim; ++d)
-            square += std::pow(nodes_.xp[i][d] - nodes_.position_at_remesh[i][d], 2);
-          if (square > parameters_.spacing * parameters_.spacing)
-            return true;
-        }
-    return false;
+    // Bodies of fluid that fly towards each other share no cell of the mesh.
+    return gaps_.may_close(nodes_.xp, nodes_.position_at_remesh, parameters_.spacing);
   }
 
 

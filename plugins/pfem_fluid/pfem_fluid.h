@@ -2,6 +2,7 @@
 
 #include "delaunay_mesh.h"
 #include "fluid_nodes.h"
+#include "gaps.h"
 #include "kernels.h"
 #include "pfem_parameters.h"
 #include "structure_contact.h"
@@ -147,6 +148,7 @@ namespace Breakwater
     SimplexMesh<dim>  unsmoothed_mesh_; ///< the same after the last remesh, as triangulated; empty without smoothers
     std::vector<CurvedFacet> curved_facets_; ///< of the mesh
     std::vector<RimFacet>    rim_facets_;    ///< facets of cells on walls, with a node of another body
+    Gaps<dim>                gaps_;          ///< around the mesh
     AdoptedSurface<dim>      adopted_;
     ForceEffects             effects_;
     bool                     body_force_is_uniform_ = true;

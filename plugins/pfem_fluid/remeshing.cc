@@ -1,5 +1,5 @@
 #include "alpha_shape.h"
-#include "former_fluid.h"
+#include "fluid_cells.h"
 #include "mass_exchange.h"
 #include "pfem_fluid.h"
 #include "remesh_record.h"
@@ -13,23 +13,10 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <utility>
 
 namespace Breakwater
 {
-  namespace
-  {
-    template <int dim>
-    double longest_edge(const Simplex<dim> &x)
-    {
-      double longest = 0;
-      for (int a = 1; a <= dim; ++a)
-        for (int b = 0; b < a; ++b)
-          longest = std::max(longest, norm(x[a] - x[b]));
-      return longest;
-    }
-  } // namespace
-
-
   template <int dim>
   void PfemFluid<dim>::remesh()
   {
@@ -128,96 +115,30 @@ namespace Breakwater
   typename DelaunayMesh<dim>::Report PfemFluid<dim>::triangulate(
     const std::function<bool(const typename SimplexMesh<dim>::Cell &)> &is_inside)
   {
-    const double                h                     = parameters_.spacing;
-    const double                tolerance             = 0.01 * h;
-    const double                least_volume_at_walls = 0.02 * regular_volume<dim>(h);
-    const std::vector<Vec<dim>> position              = nodes_.positions();
-    const Walls<dim>           &walls                 = parameters_.walls;
+    const std::vector<Vec<dim>> position = nodes_.positions();
     for (std::size_t i = 0; i < nodes_.n; ++i)
-      nodes_.walls[i] = walls.faces_at(position[i], tolerance);
+      nodes_.walls[i] = parameters_.walls.faces_at(position[i], 0.01 * parameters_.spacing);
 
-    // An edge of a cell, at most twice the circumradius long, passes through surfaces close to one of its ends only.
-    std::vector<char> near_surface(nodes_.n, 0);
-    if (walls.any_has_surface())
-      for (std::size_t i = 0; i < nodes_.n; ++i)
-        near_surface[i] = !walls.are_far(position[i], parameters_.alpha * parameters_.size(position[i]));
-
-    const auto is_interface = [&](const unsigned int i) {
-      return i < nodes_.n_interface;
-    };
-    // A cell with a node that nothing holds, and none at a surface or interface, needs no closer look.
-    constexpr char    held = 1, delicate = 2;
-    std::vector<char> marks(nodes_.n);
-    for (std::size_t i = 0; i < nodes_.n; ++i)
-      marks[i] = (!nodes_.walls[i].empty() || is_interface(i) ? held : 0) |
-                 (near_surface[i] || is_interface(i) || is_inside ? delicate : 0);
-
-    const auto keep = [&](const typename SimplexMesh<dim>::Cell &cell) {
-      char of_all = held, of_any = 0;
-      for (const unsigned int i : cell)
-        {
-          of_all &= marks[i];
-          of_any |= marks[i];
-        }
-      if ((of_all & held) == 0 && (of_any & delicate) == 0)
-        return true;
-      Contacts shared       = nodes_.walls[cell[0]];
-      bool     is_all_fixed = true, is_near_surface = false, has_interface = false, is_all_interface = true;
-      for (const unsigned int i : cell)
-        {
-          shared           = common(shared, nodes_.walls[i]);
-          is_all_fixed     = is_all_fixed && (!nodes_.walls[i].empty() || is_interface(i));
-          is_near_surface  = is_near_surface || near_surface[i];
-          has_interface    = has_interface || is_interface(i);
-          is_all_interface = is_all_interface && is_interface(i);
-        }
-      if (is_all_interface || (is_inside && !is_inside(cell)))
-        return false;
-      if (!shared.empty() && walls.flatten(shared, corners(position, cell)))
-        return false;
-      if (is_near_surface && walls.separate(corners(position, cell)))
-        return false;
-      if (is_all_fixed && signed_volume(corners(position, cell)) < least_volume_at_walls)
-        return false;
-      return !has_interface || adopted_.accepts(cell, nodes_);
-    };
-    // A flat cell along a wall has a large circumradius only because its nodes have come close to the wall. Without it
-    // there would be a free surface at the wall, deep in the fluid, and the pressure would push into the hole.
-    const SizeField<dim>  &size = parameters_.size;
-    const FormerFluid<dim> former(parameters_.mesh_smoothers.empty() ? mesh_ : unsmoothed_mesh_,
-                                  nodes_.number_in_triangulation);
-    // Around a node that was within the fluid, all was fluid.
-    const auto was_within = [this](const unsigned int i) {
-      return nodes_.has_cells[i] && !nodes_.is_surface[i];
-    };
-    std::vector<Contacts> near_walls(nodes_.n);
-    for (std::size_t i = 0; i < nodes_.n; ++i)
-      near_walls[i] = walls.faces_at(position[i], 0.5 * size(position[i]));
-    const auto is_small_anyway = [&](const typename SimplexMesh<dim>::Cell &cell) {
-      const Simplex<dim> x            = corners(position, cell);
-      const double       largest_size = parameters_.alpha * size(x[0]);
-      if (!size.is_uniform() && circumradius(x) <= largest_size)
-        return true;
-      const double largest_former = parameters_.alpha_of_fluid * size(x[0]);
-      const bool   was_fluid      = is_inside || std::any_of(cell.begin(), cell.end(), was_within) || former.had(cell);
-      if (was_fluid && circumradius(x) <= largest_former)
-        return true;
-      if (former.had_surface_of(cell) && longest_edge<dim>(x) <= 2 * largest_former)
-        return true;
-      Contacts shared = near_walls[cell[0]];
-      for (const unsigned int i : cell)
-        shared = common(shared, near_walls[i]);
-      return !shared.empty() && longest_edge<dim>(x) <= 1.9 * largest_former;
-    };
     std::vector<unsigned int> numbers(nodes_.n);
     std::iota(numbers.begin(), numbers.end(), 0u);
     if (triangulation_.n_nodes() > 0 && nodes_.number_in_triangulation != numbers)
       triangulation_.renumber(nodes_.number_in_triangulation);
-    nodes_.number_in_triangulation = numbers;
+    const auto report = triangulation_.update(position);
 
-    const auto report         = triangulation_.update(position);
-    mesh_                     = alpha_shape<dim>(triangulation_, parameters_.alpha * h, keep, is_small_anyway);
-    nodes_.position_at_remesh = nodes_.xp;
+    const FormerFluid<dim> former(parameters_.mesh_smoothers.empty() ? std::move(mesh_) : unsmoothed_mesh_,
+                                  nodes_.number_in_triangulation);
+    const FluidCells<dim> fluid(nodes_, parameters_, adopted_, former, is_inside);
+    const auto            keep = [&](const auto &cell) {
+      return fluid.keeps(cell);
+    };
+    const auto is_small = [&](const auto &cell, const double circumradius) {
+      return fluid.is_small(cell, circumradius);
+    };
+    std::vector<typename SimplexMesh<dim>::Cell> gaps;
+    mesh_ = alpha_shape<dim>(triangulation_, parameters_.alpha * parameters_.spacing, keep, is_small, &gaps);
+    gaps_ = Gaps<dim>(gaps, nodes_.n, nodes_.n_interface);
+    nodes_.number_in_triangulation = numbers;
+    nodes_.position_at_remesh      = nodes_.xp;
     parameters_.walls.note_remesh();
     collect_curved_facets();
     return report;

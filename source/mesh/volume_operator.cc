@@ -28,6 +28,19 @@ namespace Breakwater
             corner[next[cells[c][a]]++] = c * (dim + 1) + a;
       }
     };
+
+    /// One of the area_vectors() of a cell.
+    template <int dim>
+    Vec<dim> area_vector(const std::vector<Vec<dim>> &position, const typename SimplexMesh<dim>::Cell &cell,
+                         const int corner)
+    {
+      const auto     facet = outward_facet<dim>(cell, corner);
+      const Vec<dim> e     = position[facet[1]] - position[facet[0]];
+      if constexpr (dim == 2)
+        return {{-0.5 * e[1], 0.5 * e[0]}};
+      else
+        return cross(position[facet[2]] - position[facet[0]], e) * (1. / 6.);
+    }
   } // namespace
 
 
@@ -37,52 +50,40 @@ namespace Breakwater
   {
     const std::size_t         n = position.size();
     const CornersAtNodes<dim> corners_at(mesh.cells, n);
-    std::vector<Simplex<dim>> area;
-    area.reserve(mesh.cells.size());
-    for (const auto &cell : mesh.cells)
-      area.push_back(area_vectors(corners(position, cell)));
 
-    // Row i of D: entries of its neighbors k, gathered from the cells around i.
-    constexpr unsigned int    none = std::numeric_limits<unsigned int>::max();
-    std::vector<unsigned int> row_start(n + 1, 0), column, place(n, none);
-    std::vector<double>       length, column_sums(n, 0.);
-    column.reserve((dim == 2 ? 7 : 16) * n);
-    length.reserve((dim == 2 ? 7 : 16) * n);
-    std::vector<Vec<dim>> row;
-    for (std::size_t i = 0; i < n; ++i)
+    // Column k of D: entries of its neighbours i, each the sum of A_k over the cells of both.
+    std::vector<unsigned int> neighbors, column_of(n, std::numeric_limits<unsigned int>::max());
+    std::vector<Vec<dim>>     entry(n);
+    std::vector<double>       row_sums(n, 0.), length;
+    for (unsigned int k = 0; k < n; ++k)
       {
-        row.clear();
-        for (unsigned int k = corners_at.start[i]; k < corners_at.start[i + 1]; ++k)
+        if (!(mass[k] > 0))
+          continue;
+        neighbors.clear();
+        for (unsigned int begin = corners_at.start[k]; begin < corners_at.start[k + 1]; ++begin)
           {
-            const unsigned int c = corners_at.corner[k] / (dim + 1);
-            for (int a = 0; a <= dim; ++a)
-              {
-                const unsigned int j = mesh.cells[c][a];
-                if (place[j] == none)
-                  {
-                    place[j] = row.size();
-                    row.push_back(area[c][a]);
-                    column.push_back(j);
-                  }
-                else
-                  row[place[j]] += area[c][a];
-              }
+            const auto    &cell = mesh.cells[corners_at.corner[begin] / (dim + 1)];
+            const Vec<dim> area = area_vector<dim>(position, cell, corners_at.corner[begin] % (dim + 1));
+            for (const unsigned int i : cell)
+              if (column_of[i] == k)
+                entry[i] += area;
+              else
+                {
+                  column_of[i] = k;
+                  entry[i]     = area;
+                  neighbors.push_back(i);
+                }
           }
-        row_start[i + 1] = column.size();
-        for (unsigned int k = row_start[i]; k < row_start[i + 1]; ++k)
+        double column_sum = 0;
+        length.clear();
+        for (const unsigned int i : neighbors)
           {
-            place[column[k]] = none;
-            length.push_back(norm(row[k - row_start[i]]) / (dim + 1));
-            column_sums[column[k]] += length.back();
+            length.push_back(norm(entry[i]) / (dim + 1));
+            column_sum += length.back();
           }
+        for (std::size_t j = 0; j < neighbors.size(); ++j)
+          row_sums[neighbors[j]] += length[j] * column_sum / mass[k];
       }
-    for (std::size_t i = 0; i < n; ++i)
-      column_sums[i] = mass[i] > 0 ? column_sums[i] / mass[i] : 0.;
-
-    std::vector<double> row_sums(n, 0.);
-    for (std::size_t i = 0; i < n; ++i)
-      for (unsigned int k = row_start[i]; k < row_start[i + 1]; ++k)
-        row_sums[i] += length[k] * column_sums[column[k]];
     return row_sums;
   }
 

@@ -79,7 +79,8 @@ THREE = {"Dimension": 3, "Body forces/Gravity/Acceleration": "0, -9.81, 0",
              "0.0073015*sin(pi*x/0.4)*cosh(pi*y/0.4), -0.0073015*cos(pi*x/0.4)*sinh(pi*y/0.4), 0"}
 # Five times as high, 10 mm, which makes remeshes; its frequency is 0.1 % below the linear one.
 HIGH = {"Fluid/Pfem/Initial state/Velocity":
-            "0.0365075*sin(pi*x/0.4)*cosh(pi*y/0.4), -0.0365075*cos(pi*x/0.4)*sinh(pi*y/0.4)"}
+            "0.0365075*sin(pi*x/0.4)*cosh(pi*y/0.4), -0.0365075*cos(pi*x/0.4)*sinh(pi*y/0.4)",
+        "Fluid/Pfem/Remeshing/Largest strain": 0.05}
 SHALLOW = {"Fluid/Pfem/Initial state/Shape": "box(0, 0; 0.4, 0.05)"}
 KINEMATIC_VISCOSITY = 3e-4
 VISCOUS = {"Fluid/Pfem/Rheology": "newtonian", "Fluid/Pfem/Newtonian/Viscosity": 1000 * KINEMATIC_VISCOSITY}

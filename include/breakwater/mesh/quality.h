@@ -16,7 +16,7 @@ namespace Breakwater
 
   /// The corners of a cell of a mesh.
   template <int dim>
-  Simplex<dim> corners(const std::vector<Vec<dim>> &position, const typename SimplexMesh<dim>::Cell &cell)
+  inline Simplex<dim> corners(const std::vector<Vec<dim>> &position, const typename SimplexMesh<dim>::Cell &cell)
   {
     Simplex<dim> x;
     for (int a = 0; a <= dim; ++a)
@@ -27,7 +27,7 @@ namespace Breakwater
   /// Area vectors dV/dx_a of the corners a of a simplex [m^(dim-1)]: each is the inward normal of the opposite facet
   /// times that facet's measure over dim. They add up to zero.
   template <int dim>
-  Simplex<dim> area_vectors(const Simplex<dim> &x)
+  inline Simplex<dim> area_vectors(const Simplex<dim> &x)
   {
     Simplex<dim> area;
     if constexpr (dim == 2)
@@ -50,7 +50,7 @@ namespace Breakwater
 
   /// Signed volume [m^dim]: positive for a positively oriented simplex.
   template <int dim>
-  double signed_volume(const Simplex<dim> &x)
+  inline double signed_volume(const Simplex<dim> &x)
   {
     if constexpr (dim == 2)
       {
@@ -64,7 +64,7 @@ namespace Breakwater
   /// Radius [m] of the largest ball inside: V / sum |dV/dx_a|, as the sum of the facets' measures over dim is
   /// the sum of the lengths of the area vectors. Signed as the volume.
   template <int dim>
-  double insphere_radius(const Simplex<dim> &x)
+  inline double insphere_radius(const Simplex<dim> &x)
   {
     const Simplex<dim> area = area_vectors(x);
     double             sum  = 0;
@@ -75,7 +75,7 @@ namespace Breakwater
 
   /// Radius [m] of the ball through the corners; infinite for a flat simplex.
   template <int dim>
-  double circumradius(const Simplex<dim> &x)
+  inline double circumradius(const Simplex<dim> &x)
   {
     const double volume = std::abs(signed_volume(x));
     if (!(volume > 0))

@@ -1,0 +1,124 @@
+#include "fluid_cells.h"
+
+#include <breakwater/mesh/quality.h>
+
+#include <algorithm>
+
+namespace Breakwater
+{
+  namespace
+  {
+    template <int dim>
+    double longest_edge(const Simplex<dim> &x)
+    {
+      double longest = 0;
+      for (int a = 1; a <= dim; ++a)
+        for (int b = 0; b < a; ++b)
+          longest = std::max(longest, norm(x[a] - x[b]));
+      return longest;
+    }
+
+    /// Faces that all nodes of a cell have in common.
+    template <class Cell>
+    Contacts shared_by(const Cell &cell, const std::vector<Contacts> &faces)
+    {
+      Contacts shared = faces[cell[0]];
+      for (const unsigned int i : cell)
+        shared = common(shared, faces[i]);
+      return shared;
+    }
+  } // namespace
+
+
+  template <int dim>
+  FluidCells<dim>::FluidCells(const FluidNodes<dim> &nodes, const PfemParameters<dim> &parameters,
+                              const AdoptedSurface<dim> &adopted, const FormerFluid<dim> &former,
+                              const std::function<bool(const Cell &)> &is_inside)
+    : nodes_(nodes)
+    , parameters_(parameters)
+    , adopted_(adopted)
+    , former_(former)
+    , is_inside_(is_inside)
+    , is_held_(nodes.n)
+    , near_surface_(nodes.n, 0)
+    , is_delicate_(nodes.n)
+    , near_walls_(nodes.n)
+  {
+    const bool any_has_surface = parameters.walls.any_has_surface();
+    for (unsigned int i = 0; i < nodes.n; ++i)
+      {
+        const Vec<dim> x    = nodes.position(i);
+        const double   size = parameters.size(x);
+        near_walls_[i]      = parameters.walls.faces_at(x, 0.5 * size);
+        // An edge of a cell, at most twice the circumradius long, passes through surfaces close to one of its ends only.
+        near_surface_[i] = any_has_surface && !parameters.walls.are_far(x, parameters.alpha * size);
+        is_held_[i]      = !nodes.walls[i].empty() || is_interface(i);
+        is_delicate_[i]  = near_surface_[i] || is_interface(i) || is_inside;
+      }
+  }
+
+
+  template <int dim>
+  bool FluidCells<dim>::keeps(const Cell &cell) const
+  {
+    char are_held = 1, is_any_delicate = 0;
+    for (const unsigned int i : cell)
+      {
+        are_held &= is_held_[i];
+        is_any_delicate |= is_delicate_[i];
+      }
+    return (!are_held && !is_any_delicate) || keeps_at_boundary(cell);
+  }
+
+
+  template <int dim>
+  bool FluidCells<dim>::keeps_at_boundary(const Cell &cell) const
+  {
+    bool are_held = true, is_near_surface = false, has_interface = false, is_all_interface = true;
+    for (const unsigned int i : cell)
+      {
+        are_held         = are_held && is_held_[i];
+        is_near_surface  = is_near_surface || near_surface_[i];
+        has_interface    = has_interface || is_interface(i);
+        is_all_interface = is_all_interface && is_interface(i);
+      }
+    if (is_all_interface || (is_inside_ && !is_inside_(cell)))
+      return false;
+    const Walls<dim>  &walls  = parameters_.walls;
+    const Simplex<dim> x      = nodes_.corners(cell);
+    const Contacts     shared = shared_by(cell, nodes_.walls);
+    if (!shared.empty() && walls.flatten(shared, x))
+      return false;
+    if (is_near_surface && walls.separate(x))
+      return false;
+    if (are_held && signed_volume(x) < 0.02 * regular_volume<dim>(parameters_.spacing))
+      return false;
+    return !has_interface || adopted_.accepts(cell, nodes_);
+  }
+
+
+  template <int dim>
+  bool FluidCells<dim>::is_small(const Cell &cell, const double circumradius) const
+  {
+    const double size = parameters_.size(nodes_.position(cell[0]));
+    if (!parameters_.size.is_uniform() && circumradius <= parameters_.alpha * size)
+      return true;
+    // Around a node that was within the fluid, all was fluid.
+    const auto was_within = [this](const unsigned int i) {
+      return nodes_.has_cells[i] && !nodes_.is_surface[i];
+    };
+    const double largest = parameters_.alpha_of_fluid * size;
+    if (circumradius <= largest &&
+        (is_inside_ || std::any_of(cell.begin(), cell.end(), was_within) || former_.had(cell)))
+      return true;
+    const double length = longest_edge<dim>(nodes_.corners(cell));
+    if (length <= 2 * largest && former_.had_surface_of(cell))
+      return true;
+    // A flat cell along a wall has a large circumradius only because its nodes have come close to the wall. Without it
+    // there would be a free surface at the wall, deep in the fluid, and the pressure would push into the hole.
+    return length <= 1.9 * largest && !shared_by(cell, near_walls_).empty();
+  }
+
+  template class FluidCells<2>;
+  template class FluidCells<3>;
+} // namespace Breakwater
