@@ -72,7 +72,7 @@ namespace Breakwater
         if (is_last)
           {
             this->measure_gap();
-            this->take_back_drift(coarse_step, fine_step);
+            this->take_back_drift();
           }
         for (const Side &side : this->sides_)
           if (is_last || !side.is_coarse)

@@ -3,13 +3,13 @@
 #include <breakwater/base/exceptions.h>
 
 #include <Amesos_Klu.h>
-#include <AztecOO.h>
 #include <Epetra_CrsMatrix.h>
 #include <Epetra_LinearProblem.h>
 #include <Epetra_Map.h>
 #include <Epetra_SerialComm.h>
 #include <Epetra_Vector.h>
 
+#include <cmath>
 #include <string>
 
 namespace Breakwater
@@ -21,6 +21,7 @@ namespace Breakwater
       , matrix(Copy, map, 0)
       , x(map)
       , b(map)
+      , diagonal(map)
       , problem(&matrix, &x, &b)
     {
       std::vector<int>    columns;
@@ -38,12 +39,45 @@ namespace Breakwater
                                     columns.data());
         }
       matrix.FillComplete();
+      matrix.ExtractDiagonalCopy(diagonal);
+    }
+
+    /// From x; the matrix's diagonal is the preconditioner. @return the number of iterations
+    unsigned int solve_by_conjugate_gradients(const double norm_of_b)
+    {
+      constexpr unsigned int most = 1000;
+      Epetra_Vector          r(b), z(map), p(map), q(map);
+      matrix.Multiply(false, x, q);
+      r.Update(-1., q, 1.);
+      z.ReciprocalMultiply(1., diagonal, r, 0.);
+      p              = z;
+      double product = 0, norm = 0;
+      r.Dot(z, &product);
+      r.Norm2(&norm);
+      unsigned int k = 0;
+      for (; k < most && norm > 1e-13 * norm_of_b; ++k)
+        {
+          double curvature = 0, next = 0;
+          matrix.Multiply(false, p, q);
+          p.Dot(q, &curvature);
+          x.Update(product / curvature, p, 1.);
+          r.Update(-product / curvature, q, 1.);
+          z.ReciprocalMultiply(1., diagonal, r, 0.);
+          r.Dot(z, &next);
+          p.Update(1., z, next / product);
+          product = next;
+          r.Norm2(&norm);
+        }
+      if (!(norm <= 1e-13 * norm_of_b))
+        throw BreakdownError("Coupling: conjugate gradients did not solve the equations of the interface in " +
+                             std::to_string(most) + " iterations.");
+      return k;
     }
 
     Epetra_SerialComm           communicator;
     Epetra_Map                  map;
     Epetra_CrsMatrix            matrix;
-    Epetra_Vector               x, b;
+    Epetra_Vector               x, b, diagonal;
     Epetra_LinearProblem        problem;
     std::unique_ptr<Amesos_Klu> direct;
   };
@@ -74,7 +108,7 @@ namespace Breakwater
         t.x[r] = solution[r];
         square += right_side[r] * right_side[r];
       }
-    if (square == 0) // AztecOO divides by it
+    if (square == 0)
       {
         solution.assign(solution.size(), 0.);
         return 0;
@@ -87,19 +121,7 @@ namespace Breakwater
           throw BreakdownError("Coupling: the equations of the interface could not be solved.");
       }
     else
-      {
-        AztecOO iterative(t.problem);
-        iterative.SetAztecOption(AZ_solver, AZ_cg);
-        iterative.SetAztecOption(AZ_precond, AZ_Jacobi);
-        iterative.SetAztecOption(AZ_conv, AZ_rhs);
-        iterative.SetAztecOption(AZ_output, AZ_none);
-        iterative.SetAztecOption(AZ_diagnostics, AZ_none);
-        const int status = iterative.Iterate(1000, 1e-13);
-        if (status != 0 && !(iterative.ScaledResidual() < 1e-11))
-          throw BreakdownError("Coupling: conjugate gradients did not solve the equations of the interface in " +
-                               std::to_string(iterative.NumIters()) + " iterations.");
-        n_iterations = iterative.NumIters();
-      }
+      n_iterations = t.solve_by_conjugate_gradients(std::sqrt(square));
     for (std::size_t r = 0; r < solution.size(); ++r)
       solution[r] = t.x[r];
     return n_iterations;

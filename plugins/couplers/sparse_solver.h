@@ -20,8 +20,7 @@ namespace Breakwater
     SparseSolver(const std::vector<Row> &rows, bool is_direct);
     ~SparseSolver();
 
-    /// @param solution the first guess, then the solution; its residual is at most 1e-11 of the right side, 1e-13 if round-off
-    /// allows
+    /// @param solution the first guess, then the solution; its residual is at most 1e-13 of the right side
     /// @return the number of iterations, 0 if direct. @throws BreakdownError
     unsigned int solve(const std::vector<double> &right_side, std::vector<double> &solution);
 

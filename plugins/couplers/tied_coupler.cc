@@ -19,7 +19,7 @@ namespace Breakwater
     constexpr double mass_of_held_copies = 1e3;
 
     /// Part of a drift above round-off that is taken back in a coarse step.
-    constexpr double slow_part_of_drift = 0.02;
+    constexpr double slow_part_of_drift = 0.05;
 
     template <int dim>
     bool is_held(const WetSurface<dim> &surface, const unsigned int node)
@@ -393,60 +393,48 @@ namespace Breakwater
   }
 
 
-  // Velocities are tied, places are not. In a step, x + dt^2/4 a changes by dt times the mean velocity: what this differs
-  // by between the two sides is their drift. The smallest move in the norm of the masses, -M^-1 C^T H^-1 drift with
-  // H = C M^-1 C^T, takes it back and leaves the centre of mass where it is. At m = 1 there is only round-off to take
-  // back. A larger drift goes slowly: all of it at every step would be a force that lags, and make energy.
+  // Velocities are tied, places are not: they drift apart by what the steps of the two sides integrate differently. Nodes
+  // that belong to an owner go back to it. At m = 1 there is only round-off to take back; a larger drift goes slowly, as
+  // all of it at every step would be a force that lags, and make energy. What a move gives to the domain is minus its own
+  // force, m a less the link force, times the way.
   template <int dim>
-  void TiedCoupler<dim>::take_back_drift(const double coarse_step, const double fine_step)
+  void TiedCoupler<dim>::take_back_drift()
   {
-    std::vector<Vectors>         place(sides_.size());
-    std::vector<const Vectors *> tied_place;
+    std::vector<const Vectors *> position;
     for (const Side &side : sides_)
-      {
-        const double step  = side.is_coarse ? coarse_step : fine_step;
-        place[side.number] = side.surface().position;
-        for (std::size_t i = 0; i < place[side.number].size(); ++i)
-          place[side.number][i] += step * step / 4 * side.surface().acceleration[i];
-        tied_place.push_back(&place[side.number]);
-      }
-    const Vectors drift = mismatch(tied_place);
-    double        part  = 1;
+      position.push_back(&side.surface().position);
+    const Vectors drift = mismatch(position);
     for (InterfaceBalance &balance : balances_)
       balance.displacement_drift = 0;
     for (std::size_t r = 0; r < drift.size(); ++r)
       {
-        const double      length   = norm(drift[r]);
         InterfaceBalance &balance  = balances_[problem_.places()[r].tie];
-        balance.displacement_drift = std::max(balance.displacement_drift, length);
-        balance.largest_drift      = std::max(balance.largest_drift, length);
-        if (length > 1e-10 * largest_coordinate_)
-          part = slow_part_of_drift;
+        balance.displacement_drift = std::max(balance.displacement_drift, norm(drift[r]));
+        balance.largest_drift      = std::max(balance.largest_drift, balance.displacement_drift);
       }
-    const Vectors push = problem_.solve(surfaces(), std::vector<double>(sides_.size(), 1.), drift); // [kg m]
     for (const Side &side : sides_)
-      move_back(side, push, part);
+      if (has_adopted(side.number))
+        move_copies(side, drift);
   }
 
 
-  // What the move gives to the domain is minus its own force, m a less the link force, times the way.
   template <int dim>
-  void TiedCoupler<dim>::move_back(const Side &side, const Vectors &push, const double factor)
+  void TiedCoupler<dim>::move_copies(const Side &side, const Vectors &drift)
   {
     const WetSurface<dim> &surface = side.surface();
     const Vectors          link    = link_force(side, side.multiplier);
     Vectors                place   = surface.position;
-    for (const Action &action : actions_[side.number])
-      for (int d = 0; d < dim; ++d)
-        {
-          const double inverse_mass = surface.inverse_mass[action.node][d];
-          if (inverse_mass == 0)
-            continue;
-          const double way = -factor * action.weight * inverse_mass * push[action.place][d];
-          place[action.node][d] += way;
-          balances_[problem_.places()[action.place].tie].correction_energy -=
-            way * (surface.acceleration[action.node][d] / inverse_mass - link[action.node][d]);
-        }
+    for (std::size_t r = 0; r < places_of_adopted_.size(); ++r)
+      {
+        const TiedPlace::Entry &own = problem_.places()[r].entries[0];
+        if (own.domain != side.number)
+          continue;
+        const double   part = norm(drift[r]) > 1e-10 * largest_coordinate_ ? slow_part_of_drift : 1.;
+        const Vec<dim> way  = (-part * own.weight) * drift[r]; // the weight is 1 or -1
+        place[own.node] += way;
+        balances_[problem_.places()[r].tie].correction_energy -=
+          dot(way, surface.mass[own.node] * surface.acceleration[own.node] - link[own.node]);
+      }
     side.domain->correct_surface(place);
   }
 
@@ -460,7 +448,7 @@ namespace Breakwater
       if (problem_.places()[action.place].tie == tie)
         sum -= action.weight * second.multiplier[action.place];
     // The multiplier moves the mass that is carried for the owner, too.
-    for (std::size_t r = 0; r < carried_mass_.size(); ++r)
+    for (std::size_t r = 0; r < (shares_mass() ? carried_mass_.size() : 0); ++r)
       {
         const TiedPlace        &place = problem_.places()[r];
         const TiedPlace::Entry &copy  = place.entries[0];

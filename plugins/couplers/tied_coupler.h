@@ -85,7 +85,7 @@ namespace Breakwater
     Start   start_of_step(const Side &side, double time_step) const;
     void    add_link_work(const Side &side, const Start &start, double coarse_step);
     void    measure_gap();
-    void    take_back_drift(double coarse_step, double fine_step);
+    void    take_back_drift();
 
     RunContext                   *context_    = nullptr;
     bool                          is_started_ = false;
@@ -95,6 +95,9 @@ namespace Breakwater
     double                        pseudo_energy_ = 0;
     unsigned int                  n_substeps_    = 0; ///< fixed number; 0: automatic
     unsigned int                  n_done_        = 0; ///< fine steps in the present coarse step
+
+    bool   has_adopted(const unsigned int domain) const { return has_adopted_[domain] != 0; }
+    double carried_mass(std::size_t place) const { return place < carried_mass_.size() ? carried_mass_[place] : 0.; }
 
   private:
     /// Where a place acts on a domain.
@@ -107,7 +110,7 @@ namespace Breakwater
     void tie_adopted(unsigned int tie, unsigned int adopter, unsigned int owner, std::vector<TiedPlace> &places);
     void tie_matching(unsigned int tie, std::vector<TiedPlace> &places) const;
     void check_places();
-    void move_back(const Side &side, const Vectors &push, double factor);
+    void move_copies(const Side &side, const Vectors &drift);
     std::vector<const WetSurface<dim> *> surfaces() const;
 
     std::string  interface_     = "matching";
