@@ -376,7 +376,7 @@ namespace Breakwater
       {
         balance.velocity_gap = 0;
         balance.n_substeps   = n_done_;
-        balance.n_iterations = problem_.n_iterations();
+        balance.n_iterations = problem_.n_iterations() + n_passes_;
       }
     for (std::size_t r = 0; r < gap.size(); ++r)
       {

@@ -74,6 +74,12 @@ namespace Breakwater
 
     void start_with_equal_accelerations();
 
+    /// lambda of H lambda = g, H with this factor for each domain.
+    Vectors solve_with(const std::vector<double> &factor, const Vectors &g)
+    {
+      return problem_.solve(surfaces(), factor, g);
+    }
+
     /// lambda of H lambda = sum of w v, H with half of its step for each domain.
     /// @param velocity of all nodes of each domain [m/s]
     Vectors multiplier_for_common_velocity(const std::vector<const Vectors *> &velocity, double coarse_step,
@@ -95,6 +101,7 @@ namespace Breakwater
     double                        pseudo_energy_ = 0;
     unsigned int                  n_substeps_    = 0; ///< fixed number; 0: automatic
     unsigned int                  n_done_        = 0; ///< fine steps in the present coarse step
+    unsigned int                  n_passes_ = 0; ///< repetitions of the fine steps in the present coarse step, if any
 
     bool   has_adopted(const unsigned int domain) const { return has_adopted_[domain] != 0; }
     double carried_mass(std::size_t place) const { return place < carried_mass_.size() ? carried_mass_[place] : 0.; }

@@ -21,6 +21,31 @@ verification.check("largest number of substeps", max(history["interface substeps
 verification.check("largest interface energy [J]", max(abs(e) for e in history["interface energy [J]"]), 0, 1e-9)
 verification.check("relative mass drift", summary["largest relative mass drift [-]"], 0, 1e-12)
 
+# The same with an interface of its own spacing, and with either body making five steps in one of the other.
+peak_of_matching = tip[peak]
+coarse = {"End time": 0.3, "Fluid/Pfem/Spacing": 0.008, "Output/Fields every": 0.1,
+          "Structures/Obstacle/Mesh": "box(0.292, 0; 0.304, 0.08; 1, 5)"}
+for name, settings, allowed in [
+        ("own spacing of 5 mm", {"Interface": "non-matching", "Spacing": 0.005}, 0.03),
+        ("fluid coarse, m = 5", {"Substeps": 5, "Coarse domain": "first"}, 0.05),
+        ("structure coarse, m = 5", {"Substeps": 5, "Coarse domain": "second"}, 0.05)]:
+    coupling = {f"Coupling/Gravouil Combescure/{entry}": value for entry, value in settings.items()}
+    history = run("benchmarks/dam_break_elastic_obstacle_2d.prm", {**coarse, **coupling})
+    summary = read_summary()
+    ratio = max(history["tip displacement x [m]"]) / peak_of_matching
+    verification.check(f"{name}: peak of the tip, of the matching one", ratio, 1 - allowed, 1 + allowed)
+    verification.check(f"{name}: interface energy [J]", history["interface energy [J]"][-1], -0.1, 1e-9)
+    verification.check(f"{name}: largest velocity gap [m/s]", summary["largest interface velocity gap [m/s]"], 0, 1e-12)
+    drift = 1e-12 if "Substeps" not in settings else 1e-4
+    verification.check(f"{name}: largest drift [m]", summary["largest interface displacement drift [m]"], 0, drift)
+
+# A structure of a hundredth of the fluid's density: without the shared mass it gains energy.
+history = run("benchmarks/dam_break_elastic_obstacle_2d.prm",
+              {**coarse, "Structures/Obstacle/Material/Saint Venant Kirchhoff/Density": 10})
+verification.check("density ratio 0.01: energy at the end, of the start",
+                   history["total energy [J]"][-1] / history["total energy [J]"][0], 0.9, 1)
+verification.check("density ratio 0.01: peak of the tip [m]", max(history["tip displacement x [m]"]), 0.035, 0.055)
+
 # In 3D at 12 mm the stable steps of fluid and structure are close to each other: a rule that lets both count all of
 # the mass at the interface makes energy here (10 % of the initial potential energy, a peak of 62 mm).
 history = run("cookbooks/dam_break_elastic_obstacle.prm", {
