@@ -62,7 +62,7 @@ def measure(dimension, spacing, settings):
 
 verification = Verification()
 if len(sys.argv) > 1:
-    cases = {2: (0.02, 0.01, 0.005), 3: (0.025, 0.018, 0.0125)}
+    cases = {2: (0.02, 0.01, 0.005), 3: (0.0125, 0.00833, 0.00625)}
     all_settings = {"": {}, "no stabilization, ": UNSTABILIZED}
 else:
     cases, all_settings = {2: (0.02, 0.01), 3: (0.025, 0.0125)}, {"": {}}
