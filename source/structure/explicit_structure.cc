@@ -84,6 +84,11 @@ namespace Breakwater
                Range{1e-6, 1.});
     reader.add("Damping", damping_, "Damping force per mass and velocity, alpha [1/s]; 0: none.",
                Range::not_negative());
+    reader.add("Stops", stops_text_,
+               "Planes that no node crosses, such as rigid walls and floors: a point [m] and the normal to the allowed "
+               "side, " +
+                 std::string(dim == 2 ? "x, y; nx, ny" : "x, y, z; nx, ny, nz") +
+                 ", several of them separated by vertical bars. Contact is inelastic and without friction.");
     reader.add("Initial velocity", initial_velocity_text_,
                "Velocity at time 0 [m/s]: one expression for each component, separated by commas, in the undeformed "
                "coordinates x, y, z [m] and pi. Held nodes stay at rest.");
@@ -127,6 +132,9 @@ namespace Breakwater
         is_wet_ = {};
       else
         is_wet_ = parse_boundaries<dim>(wet_names_);
+    });
+    check("Stops", [&] {
+      stops_ = parse_stops<dim>(stops_text_);
     });
     check("Initial velocity", [&] {
       evaluate_vectors<dim>(initial_velocity_text_, {0.5 * (box_.lower + box_.upper)});
@@ -183,6 +191,7 @@ namespace Breakwater
     context.note_effect(name_ + ": body forces", body_forces_act_ && !body_forces.empty(),
                         body_forces.empty() ? "the scene has none" : "switched off by \"Body forces act\"");
     context.note_effect(name_ + ": damping", damping_ > 0, "\"Damping\" is 0");
+    context.note_effect(name_ + ": stops", !stops_.empty(), "\"Stops\" names none");
     body_acceleration_is_fixed_ = std::all_of(body_forces.begin(), body_forces.end(), [](const auto &body_force) {
       return body_force->is_uniform();
     });
@@ -242,6 +251,8 @@ namespace Breakwater
     for (std::size_t i = 0; i < n_nodes; ++i)
       {
         velocity_[i] += (0.5 * time_step) * acceleration_[i];
+        if (!stops_.empty() && inverse_mass_[i] > 0)
+          stop_at_planes(i, time_step);
         displacement_[i] += time_step * velocity_[i];
         position_[i] = mesh_.nodes[i] + displacement_[i];
       }
@@ -262,6 +273,23 @@ namespace Breakwater
     if (!std::isfinite(sum))
       fail_not_finite();
     update_wet_surface();
+  }
+
+
+  // A node that would cross a plane in this step comes to lie on it: the impulse is that of a contact force at the end of
+  // the step, as in forward increment multipliers (Carpenter, Taylor and Katona, 1991), lumped masses decoupling the nodes.
+  template <int dim>
+  void ExplicitStructure<dim>::stop_at_planes(const std::size_t i, const double time_step)
+  {
+    for (const Stop<dim> &stop : stops_)
+      {
+        const double distance = std::max(0., dot(position_[i] - stop.place, stop.normal));
+        const double excess   = -distance / time_step - dot(velocity_[i], stop.normal);
+        if (!(excess > 0))
+          continue;
+        velocity_[i] += excess * stop.normal;
+        add_load(i, inertia_[i] * excess * stop.normal);
+      }
   }
 
 
@@ -315,16 +343,22 @@ namespace Breakwater
   {
     for (std::size_t w = 0; w < wet_nodes_.size(); ++w)
       {
-        const unsigned int i     = wet_nodes_[w];
-        const Vec<dim>     arm   = position_[i] - reference_point_;
-        const Vec<dim>     force = link_force_[w] + (mass_[i] - inertia_[i]) * acceleration_[i];
-        load_.impulse += duration * force;
-        load_.moment[2] += duration * (arm[0] * force[1] - arm[1] * force[0]);
-        if constexpr (dim == 3)
-          {
-            load_.moment[0] += duration * (arm[1] * force[2] - arm[2] * force[1]);
-            load_.moment[1] += duration * (arm[2] * force[0] - arm[0] * force[2]);
-          }
+        const unsigned int i = wet_nodes_[w];
+        add_load(i, duration * (link_force_[w] + (mass_[i] - inertia_[i]) * acceleration_[i]));
+      }
+  }
+
+
+  template <int dim>
+  void ExplicitStructure<dim>::add_load(const std::size_t i, const Vec<dim> &impulse)
+  {
+    const Vec<dim> arm = position_[i] - reference_point_;
+    load_.impulse += impulse;
+    load_.moment[2] += arm[0] * impulse[1] - arm[1] * impulse[0];
+    if constexpr (dim == 3)
+      {
+        load_.moment[0] += arm[1] * impulse[2] - arm[2] * impulse[1];
+        load_.moment[1] += arm[2] * impulse[0] - arm[0] * impulse[2];
       }
   }
 

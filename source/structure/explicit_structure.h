@@ -45,7 +45,7 @@ namespace Breakwater
     void               load(std::istream &stream) override;
 
   private:
-    /// What other bodies gave: impulse and angular impulse about the reference point.
+    /// What other bodies and stops gave: impulse and angular impulse about the reference point.
     struct Load
     {
       Vec<dim> impulse; ///< [N s]
@@ -53,6 +53,8 @@ namespace Breakwater
     };
 
     void update_free_acceleration(std::size_t node);
+    void stop_at_planes(std::size_t node, double time_step);
+    void add_load(std::size_t node, const Vec<dim> &impulse);
     void make_wet_surface();
     void update_wet_surface();
     void update_wet_mass();
@@ -72,12 +74,14 @@ namespace Breakwater
     bool                      body_forces_act_ = true;
     double                    fraction_        = 0.9; ///< of the bound on the step
     double                    damping_         = 0;   ///< alpha [1/s]
+    std::string               stops_text_;
     std::string               initial_velocity_text_;
     Vec<dim>                  reference_point_; ///< of the moments [m]
 
     BoxMesh<dim>              box_{};
     std::array<bool, 2 * dim> is_clamped_{}; ///< [boundary]
     std::array<bool, 2 * dim> is_wet_{};     ///< [boundary]
+    std::vector<Stop<dim>>    stops_;
 
     std::string                      name_;
     const BodyForces<dim>           *body_forces_ = nullptr;
@@ -90,7 +94,7 @@ namespace Breakwater
     WetSurface<dim>                  wet_surface_;
     std::vector<unsigned int>        wet_nodes_;  ///< [node of wet_surface_]
     std::vector<Vec<dim>>            link_force_; ///< in the present accelerations, [node of wet_surface_] [N]
-    Load                             load_;       ///< of other bodies since the last row of the history
+    Load                             load_;       ///< since the last row of the history
 
     double                time_             = 0;      ///< [s]
     double                time_step_        = 0;      ///< the last one [s]

@@ -51,21 +51,30 @@ namespace Breakwater
                     "e.g. box(0, 0; 0.012, 0.08; 1, 6)"));
     }
 
-    /// The numbers of one part of a box text.
     template <int dim>
-    std::array<double, dim> parse_numbers(const std::string &text, const std::string &part)
+    [[noreturn]] void fail_stop(const std::string &text, const std::string &reason)
+    {
+      throw InputError("\"" + text + "\" is no plane: " + reason + "; expected is " +
+                       (dim == 3 ? "x, y, z; nx, ny, nz: a point [m] and the normal to the allowed side, e.g. 0, 0, 0; "
+                                   "0, 1, 0" :
+                                   "x, y; nx, ny: a point [m] and the normal to the allowed side, e.g. 0, 0; 0, 1"));
+    }
+
+    /// The numbers of one part of a text; fail(reason) throws.
+    template <int dim, class Fail>
+    Vec<dim> parse_numbers(const std::string &part, const Fail &fail)
     {
       const std::vector<std::string> words = split(part, ',');
       if (words.size() != dim)
-        fail_box<dim>(text, "\"" + part + "\" has " + std::to_string(words.size()) + " numbers where " +
-                              std::to_string(dim) + " are needed");
-      std::array<double, dim> numbers;
+        fail("\"" + part + "\" has " + std::to_string(words.size()) + " numbers where " + std::to_string(dim) +
+             " are needed");
+      Vec<dim> numbers;
       for (int d = 0; d < dim; ++d)
         {
           char *end  = nullptr;
           numbers[d] = std::strtod(words[d].c_str(), &end);
           if (words[d].empty() || *end != '\0' || !std::isfinite(numbers[d]))
-            fail_box<dim>(text, "\"" + words[d] + "\" is no number");
+            fail("\"" + words[d] + "\" is no number");
         }
       return numbers;
     }
@@ -85,9 +94,11 @@ namespace Breakwater
     if (parts.size() != 3)
       fail_box<dim>(text, "it has " + std::to_string(parts.size()) + " parts between semicolons where 3 are needed");
 
-    const auto   lower   = parse_numbers<dim>(text, parts[0]);
-    const auto   upper   = parse_numbers<dim>(text, parts[1]);
-    const auto   n_cells = parse_numbers<dim>(text, parts[2]);
+    const auto fail = [&text](const std::string &reason) {
+      fail_box<dim>(text, reason);
+    };
+    const Vec<dim> lower = parse_numbers<dim>(parts[0], fail), upper = parse_numbers<dim>(parts[1], fail),
+                   n_cells = parse_numbers<dim>(parts[2], fail);
     BoxMesh<dim> box;
     for (int d = 0; d < dim; ++d)
       {
@@ -100,6 +111,29 @@ namespace Breakwater
         box.n_cells[d] = static_cast<unsigned int>(n_cells[d]);
       }
     return box;
+  }
+
+
+  template <int dim>
+  std::vector<Stop<dim>> parse_stops(const std::string &text)
+  {
+    std::vector<Stop<dim>> stops;
+    if (trimmed_lower(text).empty())
+      return stops;
+    for (const std::string &plane : split(text, '|'))
+      {
+        const auto fail = [&plane](const std::string &reason) {
+          fail_stop<dim>(plane, reason);
+        };
+        const std::vector<std::string> parts = split(plane, ';');
+        if (parts.size() != 2)
+          fail("it has " + std::to_string(parts.size()) + " parts between semicolons where 2 are needed");
+        const Vec<dim> place = parse_numbers<dim>(parts[0], fail), normal = parse_numbers<dim>(parts[1], fail);
+        if (!(norm(normal) > 0))
+          fail("the normal has no length");
+        stops.push_back({place, normal * (1 / norm(normal))});
+      }
+    return stops;
   }
 
 
@@ -135,6 +169,8 @@ namespace Breakwater
 
   template BoxMesh<2>               parse_box_mesh<2>(const std::string &);
   template BoxMesh<3>               parse_box_mesh<3>(const std::string &);
+  template std::vector<Stop<2>>     parse_stops<2>(const std::string &);
+  template std::vector<Stop<3>>     parse_stops<3>(const std::string &);
   template std::vector<std::string> boundary_names<2>();
   template std::vector<std::string> boundary_names<3>();
   template std::array<bool, 4>      parse_boundaries<2>(const std::vector<std::string> &);

@@ -21,6 +21,19 @@ namespace Breakwater
   template <int dim>
   BoxMesh<dim> parse_box_mesh(const std::string &text);
 
+  /// A plane that nodes can't cross: they stay on the side to which the normal points.
+  template <int dim>
+  struct Stop
+  {
+    Vec<dim> place;  ///< a point of the plane [m]
+    Vec<dim> normal; ///< unit length
+  };
+
+  /// Reads planes "x, y, z; nx, ny, nz", in 2D with two numbers in each part, separated by vertical bars.
+  /// @throws InputError that says what is wrong with the text and what is expected
+  template <int dim>
+  std::vector<Stop<dim>> parse_stops(const std::string &text);
+
   /// Names of the boundaries of a box in the order of their numbers: left, right, bottom, top, front, back are the
   /// sides at the smallest and the largest x, y and z.
   template <int dim>

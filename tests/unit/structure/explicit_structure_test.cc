@@ -52,6 +52,29 @@ namespace Breakwater
     EXPECT_LT(after.strain_energy, 1e-15);
   }
 
+  TEST(ExplicitStructure, ABlockThrownAtAStopNeverCrossesItAndBouncesWithLessEnergy)
+  {
+    Scene<3>     scene("set Mesh = box(0.01, 0, 0; 0.3, 0.2, 0.1; 3, 2, 1)\nset Initial velocity = -0.5, 1, 0\n"
+                           "set Stops = 0, 0, 0; 2, 0, 0 | 0, -9, 0; 0, 1, 0\n" +
+                         soft,
+                       true, {});
+    const double energy  = total(scene.structure->balance());
+    double       least_x = 1, largest_energy = 0;
+    for (unsigned int k = 0; k < 60; ++k)
+      {
+        scene.run(0.002);
+        for (const Vec<3> &x : scene.structure->output_mesh().position)
+          least_x = std::min(least_x, x[0]);
+        largest_energy = std::max(largest_energy, total(scene.structure->balance()));
+      }
+    const auto after = scene.structure->balance();
+    EXPECT_LT(least_x, 1e-12);
+    EXPECT_GT(least_x, -1e-12);
+    EXPECT_LT(largest_energy, energy * (1 + 1e-3));
+    EXPECT_GT(after.momentum[0], 0.1 * after.mass);
+    EXPECT_NEAR(after.momentum[1], after.mass, 1e-9 * after.mass);
+  }
+
   TEST(ExplicitStructure, TumblingKeepsMomentumAndEnergy)
   {
     double drift[2];

@@ -33,6 +33,29 @@ namespace Breakwater
     EXPECT_EQ(parse_box_mesh<2>("box(0, 0; 1, 2; 3, 4)").n_cells[1], 4u);
   }
 
+  TEST(MeshDescription, ReadsStops)
+  {
+    const auto stops = parse_stops<2>("0.1, 0; -2, 0 | 0, -1e-2; 0, 1");
+    ASSERT_EQ(stops.size(), 2u);
+    EXPECT_EQ(stops[0].place[0], 0.1);
+    EXPECT_EQ(stops[0].normal[0], -1);
+    EXPECT_EQ(stops[1].place[1], -0.01);
+    EXPECT_TRUE(parse_stops<3>(" ").empty());
+  }
+
+  TEST(MeshDescription, SaysWhatIsWrongWithAStop)
+  {
+    for (const auto &[text, expected] : {std::pair<const char *, const char *>{"0, 0", "1 parts"},
+                                         {"0, 0; 0, 0", "no length"},
+                                         {"0, 0, 0; 1, 0", "3 numbers where 2"},
+                                         {"0, x; 1, 0", "\"x\" is no number"}})
+      EXPECT_NE(message_of([text = text] {
+                  parse_stops<2>(text);
+                }).find(expected),
+                std::string::npos)
+        << text;
+  }
+
   TEST(MeshDescription, SaysWhatIsWrongWithABox)
   {
     const std::vector<std::pair<std::string, std::string>> cases = {
