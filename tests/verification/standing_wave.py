@@ -77,7 +77,7 @@ THREE = {"Dimension": 3, "Body forces/Gravity/Acceleration": "0, -9.81, 0",
          "Fluid/Pfem/Walls/Tank/Shape": "open box(0, 0, 0; 0.4, 0.3, 0.1)",
          "Fluid/Pfem/Initial state/Velocity":
              "0.0073015*sin(pi*x/0.4)*cosh(pi*y/0.4), -0.0073015*cos(pi*x/0.4)*sinh(pi*y/0.4), 0"}
-# Five times as high, 10 mm, which makes remeshes; its frequency is 0.1 % below the linear one.
+# Five times as high, 10 mm; at this strain it is remeshed. Its frequency is 0.1 % below the linear one.
 HIGH = {"Fluid/Pfem/Initial state/Velocity":
             "0.0365075*sin(pi*x/0.4)*cosh(pi*y/0.4), -0.0365075*cos(pi*x/0.4)*sinh(pi*y/0.4)",
         "Fluid/Pfem/Remeshing/Largest strain": 0.05}
