@@ -1,10 +1,11 @@
-#include "element_passes.h"
+#include "four_doubles.h"
 
 // The element passes, compiled once per instruction set with BREAKWATER_INSTRUCTION_SET as the namespace.
 //
-// A node is one vector of four doubles, so that a cell costs dim + 1 vector loads and stores and the arithmetic runs
-// along x, y, z. No header with inline functions of general use may stand here: the linker could pick a copy of them
-// that was compiled for an instruction set which the machine does not have.
+// Here a node is one vector of four doubles, so that a cell costs dim + 1 vector loads and stores and the arithmetic
+// runs along x, y, z: the faster way for loops with little arithmetic. The others stand in stress_passes.cc and
+// filter_pass.cc. No header with inline functions of general use may stand in these files: the linker could pick a copy
+// of them that was compiled for an instruction set which the machine does not have.
 
 namespace Breakwater
 {
@@ -12,22 +13,6 @@ namespace Breakwater
   {
     namespace
     {
-      typedef double V4 __attribute__((vector_size(32)));
-      typedef long   I4 __attribute__((vector_size(32)));
-
-      inline V4 load(const Quad &q)
-      {
-        return *reinterpret_cast<const V4 *>(q.c);
-      }
-      inline void store(Quad &q, const V4 &v)
-      {
-        *reinterpret_cast<V4 *>(q.c) = v;
-      }
-      inline V4 all(const double s)
-      {
-        return V4{s, s, s, s};
-      }
-
       template <int lane>
       inline V4 spread(const V4 &v)
       {
@@ -45,14 +30,6 @@ namespace Breakwater
       {
         const V4 p = a * b;
         return p[0] + p[1] + p[2];
-      }
-
-      /// The sums over the lanes of four vectors.
-      inline V4 lane_sums(const V4 &a, const V4 &b, const V4 &c, const V4 &d)
-      {
-        const V4 ab = __builtin_shuffle(a, b, I4{0, 4, 2, 6}) + __builtin_shuffle(a, b, I4{1, 5, 3, 7});
-        const V4 cd = __builtin_shuffle(c, d, I4{0, 4, 2, 6}) + __builtin_shuffle(c, d, I4{1, 5, 3, 7});
-        return __builtin_shuffle(ab, cd, I4{0, 1, 4, 5}) + __builtin_shuffle(ab, cd, I4{2, 3, 6, 7});
       }
 
       /// Area vectors A_a of a cell, and its volume. The fourth lanes of x take no part.
@@ -90,40 +67,6 @@ namespace Breakwater
           return dot3(x[1] - x[0], cross(x[2] - x[0], x[3] - x[0])) * (1. / 6.);
       }
 
-      /// S = V (L + L^T), of which row d is sum_a v_a[d] A_a + A_a[d] v_a. As the A_a add up to zero, velocities
-      /// against the first corner do.
-      template <int dim>
-      inline void strain_rate_rows(const V4 *v, const V4 *area, V4 *s)
-      {
-        s[0] = s[1] = s[2] = all(0.);
-        for (int a = 1; a <= dim; ++a)
-          {
-            const V4 dv = v[a] - v[0];
-            s[0] += spread<0>(dv) * area[a] + spread<0>(area[a]) * dv;
-            s[1] += spread<1>(dv) * area[a] + spread<1>(area[a]) * dv;
-            if constexpr (dim == 3)
-              s[2] += spread<2>(dv) * area[a] + spread<2>(area[a]) * dv;
-          }
-      }
-
-      /// Viscous forces of a cell are subtracted from f: tau A_a with tau = mu / V (S - 2/3 tr(L) V).
-      template <int dim>
-      inline void subtract_viscous_forces(const V4 *v, const V4 *area, const double factor, V4 *f)
-      {
-        V4 s[3];
-        strain_rate_rows<dim>(v, area, s);
-        const V4 pressure_like = all((1. / 3.) * (s[0][0] + s[1][1] + s[2][2]));
-        for (int a = 1; a <= dim; ++a)
-          {
-            V4 t = spread<0>(area[a]) * s[0] + spread<1>(area[a]) * s[1] - pressure_like * area[a];
-            if constexpr (dim == 3)
-              t += spread<2>(area[a]) * s[2];
-            t *= all(factor);
-            f[a] -= t;
-            f[0] += t;
-          }
-      }
-
       template <int dim>
       void volumes(const unsigned int *cells, const std::size_t n_cells, const Quad *xp, double *volume)
       {
@@ -137,92 +80,6 @@ namespace Breakwater
             const double part = volume_of<dim>(x) * share;
             for (int a = 0; a <= dim; ++a)
               volume[cell[a]] += part;
-          }
-      }
-
-      template <int dim, bool viscous, bool diffusion>
-      void forces(const unsigned int *cells, const std::size_t n_cells, const ForceEffects &effects, const Quad *xp,
-                  const Quad *v, const Quad *density_slope, Quad *force)
-      {
-        constexpr int    n    = dim + 1;
-        constexpr double mean = 1. / n;
-        for (std::size_t c = 0; c < n_cells; ++c)
-          {
-            const unsigned int *cell = cells + c * n;
-            V4                  x[n], area[n], f[n];
-            for (int a = 0; a < n; ++a)
-              x[a] = load(xp[cell[a]]);
-            V4 sum = x[0];
-            for (int a = 1; a < n; ++a)
-              sum += x[a];
-            const double volume   = geometry<dim>(x, area);
-            const double size     = __builtin_fabs(volume);
-            V4           pressure = spread<3>(sum) * all(mean);
-            if (effects.cell_stiffness > 0)
-              {
-                const double at_rest = effects.cell_volume_at_rest[c], least_cell = effects.least_cell_volume;
-                pressure -=
-                  all(effects.cell_stiffness * (volume - at_rest) / (at_rest > least_cell ? at_rest : least_cell));
-              }
-            for (int a = 0; a < n; ++a)
-              f[a] = pressure * area[a];
-
-            if constexpr (viscous)
-              {
-                V4 velocity[n];
-                for (int a = 0; a < n; ++a)
-                  velocity[a] = load(v[cell[a]]);
-                const double least = effects.least_viscous_volume;
-                const double mu    = effects.cell_viscosity != nullptr ? effects.cell_viscosity[c] : effects.viscosity;
-                subtract_viscous_forces<dim>(velocity, area, mu / (size > least ? size : least), f);
-              }
-
-            if constexpr (diffusion)
-              {
-                // rho_a - s . x_a, of which the cell's mean is taken away: exactly zero in a hydrostatic column.
-                V4 q[n], q_mean;
-                for (int a = 0; a < n; ++a)
-                  q[a] = load(density_slope[cell[a]]);
-                q_mean = q[0];
-                for (int a = 1; a < n; ++a)
-                  q_mean += q[a];
-                q_mean *= all(mean);
-                V4 y[4] = {all(0.), all(0.), all(0.), all(0.)};
-                for (int a = 0; a < n; ++a)
-                  y[a] = __builtin_shuffle(q_mean * (x[0] - x[a]), q[a] - q_mean, I4{0, 1, 2, 7});
-                const V4     rest      = lane_sums(y[0], y[1], y[2], y[3]);
-                const double rest_mean = (rest[0] + rest[1] + rest[2] + rest[3]) * mean;
-                const V4     flux      = all(size) * (rest - all(rest_mean));
-                f[0]                   = __builtin_shuffle(f[0], spread<0>(flux), I4{0, 1, 2, 7});
-                f[1]                   = __builtin_shuffle(f[1], spread<1>(flux), I4{0, 1, 2, 7});
-                f[2]                   = __builtin_shuffle(f[2], spread<2>(flux), I4{0, 1, 2, 7});
-                if constexpr (dim == 3)
-                  f[3] = __builtin_shuffle(f[3], spread<3>(flux), I4{0, 1, 2, 7});
-              }
-
-            for (int a = 0; a < n; ++a)
-              store(force[cell[a]], load(force[cell[a]]) + f[a]);
-          }
-      }
-
-      template <int dim>
-      void shear_rates(const unsigned int *cells, const std::size_t n_cells, const double least_volume, const Quad *xp,
-                       const Quad *v, double *shear_rate)
-      {
-        for (std::size_t c = 0; c < n_cells; ++c)
-          {
-            const unsigned int *cell = cells + c * (dim + 1);
-            V4                  x[dim + 1], u[dim + 1], area[dim + 1], s[3];
-            for (int a = 0; a <= dim; ++a)
-              {
-                x[a] = load(xp[cell[a]]);
-                u[a] = load(v[cell[a]]);
-              }
-            const double size = __builtin_fabs(geometry<dim>(x, area));
-            strain_rate_rows<dim>(u, area, s);
-            // D = S / (2 V), so sqrt(2 D:D) = sqrt(S:S / 2) / V.
-            const double square = dot3(s[0], s[0]) + dot3(s[1], s[1]) + dot3(s[2], s[2]);
-            shear_rate[c]       = __builtin_sqrt(0.5 * square) / (size > least_volume ? size : least_volume);
           }
       }
 
@@ -253,62 +110,6 @@ namespace Breakwater
                   Quad &sum = gradient[cell[a] * dim + d];
                   store(sum, load(sum) + row[d]);
                 }
-          }
-      }
-
-      template <int dim>
-      void filter_impulses(const unsigned int *cells, const std::size_t n_cells, const FilterWeights &weights,
-                           const Quad *xp, const Quad *v, const Quad *gradient, const double *node_density,
-                           const double *inverse_mass, Quad *impulse)
-      {
-        constexpr int    n           = dim + 1;
-        constexpr double n_neighbors = dim == 2 ? 13. : 60.; // cells that share a node with one, itself included
-        const V4         share       = all(1. / n);
-        for (std::size_t c = 0; c < n_cells; ++c)
-          {
-            const unsigned int *cell    = cells + c * n;
-            double              density = node_density[cell[0]];
-            for (int a = 1; a < n; ++a)
-              density = node_density[cell[a]] < density ? node_density[cell[a]] : density;
-            if (!(density > 0))
-              continue;
-            V4 x[n], u[n], x_mean = all(0.), u_mean = all(0.), row[4] = {all(0.), all(0.), all(0.), all(0.)};
-            for (int a = 0; a < n; ++a)
-              {
-                x[a] = load(xp[cell[a]]);
-                u[a] = load(v[cell[a]]);
-                x_mean += x[a];
-                u_mean += u[a];
-                for (int d = 0; d < dim; ++d)
-                  row[d] += load(gradient[cell[a] * dim + d]);
-              }
-            V4           area[n];
-            const double volume = geometry<dim>(x, area), size = __builtin_fabs(volume);
-            const V4     mass = all(-weights.deviation * density * size / n);
-            x_mean *= share;
-            u_mean *= share;
-            for (int d = 0; d < dim; ++d)
-              row[d] *= share;
-            V4 flux = all(0.); // sum of v . A, lane by lane
-            for (int a = 0; a < n; ++a)
-              flux += u[a] * area[a];
-            double mean_divergence = row[0][0] + row[1][1], w = flux[0] + flux[1];
-            if constexpr (dim == 3)
-              {
-                mean_divergence += row[2][2];
-                w += flux[2];
-              }
-            double compliance = 0; // of the cell's volume to a pressure impulse: sum of |A|^2 / m
-            for (int a = 0; a < n; ++a)
-              compliance += dot3(area[a], area[a]) * inverse_mass[cell[a]];
-            const V4 push = all(-weights.divergence / n_neighbors * (w - volume * mean_divergence) / compliance);
-            for (int a = 0; a < n; ++a)
-              {
-                const V4 dx     = x[a] - x_mean; // the fourth lane of the rows is zero
-                const V4 linear = lane_sums(row[0] * dx, row[1] * dx, row[2] * dx, all(0.));
-                Quad    &sum    = impulse[cell[a]];
-                store(sum, load(sum) + mass * (u[a] - u_mean - linear) + push * area[a]);
-              }
           }
       }
 
@@ -422,16 +223,16 @@ namespace Breakwater
     template <int dim>
     ElementPasses element_passes()
     {
-      return {
-        volumes<dim>,
-        {{forces<dim, false, false>, forces<dim, false, true>}, {forces<dim, true, false>, forces<dim, true, true>}},
-        shear_rates<dim>,
-        velocity_gradients<dim>,
-        filter_impulses<dim>,
-        exchange_operator<dim>,
-        exchange_requests<dim>,
-        exchange_transfers<dim>,
-        largest_relative_displacement<dim>};
+      ElementPasses passes;
+      set_stress_passes<dim>(passes);
+      set_filter_pass<dim>(passes);
+      passes.volumes                       = volumes<dim>;
+      passes.velocity_gradients            = velocity_gradients<dim>;
+      passes.exchange_operator             = exchange_operator<dim>;
+      passes.exchange_requests             = exchange_requests<dim>;
+      passes.exchange_transfers            = exchange_transfers<dim>;
+      passes.largest_relative_displacement = largest_relative_displacement<dim>;
+      return passes;
     }
 
     template ElementPasses element_passes<2>();
