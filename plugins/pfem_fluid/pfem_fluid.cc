@@ -362,19 +362,38 @@ namespace Breakwater
     if (n_steps_to_check_ > 0)
       --n_steps_to_check_;
     else if (needs_remeshing())
-      remesh();
+      {
+        remesh();
+        strain_watch_ = {};
+      }
     else
       n_steps_to_check_ = 2;
   }
 
 
   template <int dim>
-  bool PfemFluid<dim>::needs_remeshing() const
+  bool PfemFluid<dim>::is_strained()
   {
-    if (parameters_.openings.needs_remeshing())
-      return true;
+    StrainWatch &watch = strain_watch_;
+    ++watch.n_looks;
+    if (watch.n_looks <= watch.n_looks_to_wait)
+      return false;
     const double allowed = parameters_.largest_strain * parameters_.spacing;
-    if (largest_relative_displacement<dim>(mesh_.cells, nodes_.xp, nodes_.position_at_remesh) > allowed)
+    const double largest = largest_relative_displacement<dim>(mesh_.cells, nodes_.xp, nodes_.position_at_remesh);
+    // Not again before it could be too large if it grew four times as fast as it did, but soon all the same.
+    const double growth = 4 * std::max(0., largest - watch.largest) / watch.n_looks;
+    unsigned int n_wait = 0;
+    while (n_wait < 3 && largest + (n_wait + 2) * growth <= allowed)
+      ++n_wait;
+    watch = {largest, 0, n_wait};
+    return largest > allowed;
+  }
+
+
+  template <int dim>
+  bool PfemFluid<dim>::needs_remeshing()
+  {
+    if (parameters_.openings.needs_remeshing() || is_strained())
       return true;
     if (parameters_.walls.has_travelled(0.3 * parameters_.spacing))
       return true;

@@ -58,6 +58,14 @@ namespace Breakwater
       std::vector<Quad>   gradient, impulse;
     };
 
+    /// When the displacement of nodes against their cells was measured, and when it will be again.
+    struct StrainWatch
+    {
+      double       largest         = 0; ///< then [m]
+      unsigned int n_looks         = 0; ///< calls of is_strained() since then
+      unsigned int n_looks_to_wait = 0;
+    };
+
     // pfem_fluid.cc: one time step
     void              update_pressure();
     void              update_forces();
@@ -73,7 +81,8 @@ namespace Breakwater
     double            largest_speed() const; ///< that is allowed [m/s]
     void              check_state() const;
     [[noreturn]] void fail_at_node(std::size_t node, double fastest) const;
-    bool              needs_remeshing() const;
+    bool              is_strained();
+    bool              needs_remeshing();
 
     // initial_nodes.cc
     void make_initial_state();
@@ -163,6 +172,7 @@ namespace Breakwater
 
     DomainBalance<dim> received_; ///< of all nodes that have come in, less those that have gone
 
+    StrainWatch   strain_watch_;
     double        time_                 = 0; ///< [s]
     double        bound_                = 0; ///< of the rule in use at the last remesh [s]
     double        sound_speed_at_bound_ = 0; ///< largest one then [m/s]
