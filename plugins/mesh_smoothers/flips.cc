@@ -211,7 +211,8 @@ namespace Breakwater
         for (int a = 0; a < 4; ++a)
           if (a != edges[e][0] && a != edges[e][1])
             other[n++] = a;
-        order[e] = {-dot(area[other[0]], area[other[1]]) / (length[other[0]] * length[other[1]]), e};
+        const double product = length[other[0]] * length[other[1]];
+        order[e]             = {product > 0 ? -dot(area[other[0]], area[other[1]]) / product : 0., e};
       }
     std::sort(order.begin(), order.end());
     for (const auto &entry : order)

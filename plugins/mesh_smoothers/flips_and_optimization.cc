@@ -35,9 +35,7 @@ namespace Breakwater
         for (pass_ = 1; pass_ <= n_passes && repair_worst_first(); ++pass_)
           {
           }
-        peel_.finish();
-        report_.n_peeled_cells = peel_.n_cells();
-        report_.peeled_volume  = peel_.volume();
+        peel_.finish(report_);
       }
 
     private:
@@ -66,17 +64,12 @@ namespace Breakwater
       /// @return whether a further pass may help
       bool repair_worst_first()
       {
-        std::vector<unsigned int> bad;
-        for (unsigned int c = 0; c < mesh_.n_cells(); ++c)
-          if (is_bad(c))
-            bad.push_back(c);
-        std::sort(bad.begin(), bad.end(), [this](const unsigned int a, const unsigned int b) {
-          return mesh_.r(a) < mesh_.r(b) || (mesh_.r(a) == mesh_.r(b) && a < b);
-        });
-        bool has_changed = false;
+        const std::vector<unsigned int> bad         = mesh_.bad_cells();
+        const bool                      are_few     = 100 * bad.size() < mesh_.n_cells();
+        bool                            has_changed = false;
         for (const unsigned int c : bad)
           if (is_bad(c) && may_help(c))
-            has_changed = flip(c) || move_nodes(c) || has_changed;
+            has_changed = flip(c) || move_nodes(c) || (are_few && make_room(c)) || has_changed;
         for (const unsigned int c : bad)
           if (is_bad(c))
             has_changed = peel(c) || has_changed;
@@ -98,13 +91,34 @@ namespace Breakwater
         const auto cell      = mesh_.cell(c);
         bool       has_moved = false;
         for (const unsigned int node : cell)
-          if (is_bad(c) && node_step_.improve(node, 1.05 * mesh_.target()))
-            {
-              has_moved = true;
-              for (const unsigned int other : mesh_.star(node))
-                for (const unsigned int neighbor : mesh_.cell(other))
-                  note_change(neighbor);
-            }
+          if (is_bad(c))
+            has_moved = move_node(node, 1.05 * mesh_.target()) || has_moved;
+        return has_moved;
+      }
+
+      bool move_node(const unsigned int node, const double wanted)
+      {
+        if (!node_step_.improve(node, wanted))
+          return false;
+        for (const unsigned int other : mesh_.star(node))
+          for (const unsigned int neighbor : mesh_.cell(other))
+            note_change(neighbor);
+        return true;
+      }
+
+      /// What is in the way of a cell that nothing helps are neighbours that are hardly better: these come first.
+      bool make_room(const unsigned int c)
+      {
+        std::vector<unsigned int> nodes;
+        for (const unsigned int node : mesh_.cell(c))
+          for (const unsigned int other : mesh_.star(node))
+            if (mesh_.r(other) < 1.2 * mesh_.target())
+              nodes.insert(nodes.end(), mesh_.cell(other).begin(), mesh_.cell(other).end());
+        std::sort(nodes.begin(), nodes.end());
+        nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+        bool has_moved = false;
+        for (const unsigned int node : nodes)
+          has_moved = move_node(node, 1.3 * mesh_.target()) || has_moved;
         return has_moved;
       }
 
@@ -123,15 +137,13 @@ namespace Breakwater
   void FlipsAndOptimization<dim>::declare_parameters(ParameterReader &reader)
   {
     reader.add("Passes", n_passes_, "Largest number of passes over the bad cells after the first flips.", 0, 100);
-    reader.add("Largest peel", largest_peel_,
-               "Slender cells of the free surface may be taken away up to this part of the mesh's volume [-].",
-               {0., 0.01});
+    Peel<dim>::declare(reader, largest_peel_);
   }
 
 
   template <int dim>
   void FlipsAndOptimization<dim>::improve(SimplexMesh<dim> &mesh, std::vector<Vec<dim>> &position,
-                                          const SmoothingTask &task, SmoothingReport &report)
+                                          const SmoothingTask<dim> &task, SmoothingReport &report)
   {
     StarMesh<dim> work(mesh, position, task);
     Repair<dim>(work, largest_peel_, report).run(n_passes_);

@@ -17,11 +17,11 @@ namespace Breakwater
     void declare_parameters(ParameterReader &reader) override;
 
   protected:
-    void improve(SimplexMesh<dim> &mesh, std::vector<Vec<dim>> &position, const SmoothingTask &task,
+    void improve(SimplexMesh<dim> &mesh, std::vector<Vec<dim>> &position, const SmoothingTask<dim> &task,
                  SmoothingReport &report) override;
 
   private:
-    unsigned int n_passes_     = 5;
+    unsigned int n_passes_     = 12;
     double       largest_peel_ = 1e-4;
   };
 } // namespace Breakwater

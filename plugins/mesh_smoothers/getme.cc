@@ -1,7 +1,8 @@
 #include "getme.h"
 
+#include "star_mesh.h"
+
 #include <breakwater/base/parameter_reader.h>
-#include <breakwater/mesh/quality.h>
 
 #include <algorithm>
 #include <cmath>
@@ -17,29 +18,6 @@ namespace Breakwater
 
     /// A move must make the worst cell's insphere larger by this factor: less is not worth its steps.
     constexpr double least_gain = 1.01;
-
-    /// The cells at each node, in compressed rows.
-    struct CellsOfNodes
-    {
-      std::vector<std::size_t>  begin;
-      std::vector<unsigned int> cells;
-
-      template <class Cells>
-      CellsOfNodes(const Cells &all_cells, const std::size_t n_nodes)
-        : begin(n_nodes + 1, 0)
-      {
-        for (const auto &cell : all_cells)
-          for (const unsigned int node : cell)
-            ++begin[node + 1];
-        for (std::size_t i = 0; i < n_nodes; ++i)
-          begin[i + 1] += begin[i];
-        cells.resize(begin.back());
-        std::vector<std::size_t> next(begin.begin(), begin.end() - 1);
-        for (unsigned int c = 0; c < all_cells.size(); ++c)
-          for (const unsigned int node : all_cells[c])
-            cells[next[node]++] = c;
-      }
-    };
 
     template <int dim>
     double mean_edge(const Simplex<dim> &x)
@@ -74,145 +52,71 @@ namespace Breakwater
       return result;
     }
 
-    /// The mesh while it is smoothed, with the insphere radius of each cell.
+    /// Moves the corners of a cell, and collects those that have moved. @return whether that made it better
     template <int dim>
-    class Work
+    bool move_corners(StarMesh<dim> &mesh, const unsigned int c, const GetmeControl &control,
+                      std::vector<unsigned int> &moved)
     {
-    public:
-      using Cell = typename SimplexMesh<dim>::Cell;
-
-      Work(const std::vector<Cell> &cells, std::vector<Vec<dim>> &position, const std::vector<char> &is_fixed)
-        : cells_(cells)
-        , position_(position)
-        , is_fixed_(is_fixed)
-        , cells_of_nodes_(cells, position.size())
-        , radius_(cells.size())
-      {
-        for (std::size_t c = 0; c < cells.size(); ++c)
-          radius_[c] = insphere_radius(corners(c));
-      }
-
-      const std::vector<double>       &radius() const { return radius_; }
-      const std::vector<unsigned int> &patch() const { return patch_; }
-
-      /// Moves the free nodes of a cell by the transformation, with the longest of the steps s, 0.75 s, ... that every
-      /// cell of its patch stands. @return false if there is none: nothing has changed then
-      bool improve(const unsigned int cell, double step, const unsigned int n_trials)
-      {
-        collect_patch(cell);
-        const Simplex<dim> before = corners(cell);
-        for (unsigned int trial = 0; trial < n_trials; ++trial, step *= shortening)
-          {
-            place(cell, transform(before, step));
-            if (is_acceptable(cell))
+      const double       before = mesh.r(c);
+      const Simplex<dim> from = mesh.corners_of(c), to = transform(from, control.step);
+      const auto         cell = mesh.cell(c);
+      moved.clear();
+      for (int a = 0; a <= dim; ++a)
+        {
+          Vec<dim> displacement = to[a] - from[a];
+          for (unsigned int trial = 0; trial < control.n_trials; ++trial, displacement *= shortening)
+            if (mesh.try_move(cell[a], displacement, least_gain * before))
               {
-                for (std::size_t i = 0; i < patch_.size(); ++i)
-                  radius_[patch_[i]] = new_radius_[i];
-                return true;
+                moved.push_back(cell[a]);
+                break;
               }
-          }
-        place(cell, before);
-        return false;
-      }
-
-    private:
-      Simplex<dim> corners(const std::size_t cell) const
-      {
-        Simplex<dim> x;
-        for (int a = 0; a <= dim; ++a)
-          x[a] = position_[cells_[cell][a]];
-        return x;
-      }
-
-      void place(const unsigned int cell, const Simplex<dim> &x)
-      {
-        for (int a = 0; a <= dim; ++a)
-          if (!is_fixed_[cells_[cell][a]])
-            position_[cells_[cell][a]] = x[a];
-      }
-
-      void collect_patch(const unsigned int cell)
-      {
-        patch_.clear();
-        for (const unsigned int node : cells_[cell])
-          if (!is_fixed_[node])
-            patch_.insert(patch_.end(), cells_of_nodes_.cells.begin() + cells_of_nodes_.begin[node],
-                          cells_of_nodes_.cells.begin() + cells_of_nodes_.begin[node + 1]);
-        std::sort(patch_.begin(), patch_.end());
-        patch_.erase(std::unique(patch_.begin(), patch_.end()), patch_.end());
-      }
-
-      // A cell that was worse already (its own moves failed) must not get worse, all others stay above the old radius.
-      bool is_acceptable(const unsigned int cell)
-      {
-        new_radius_.resize(patch_.size());
-        const double old_radius = radius_[cell];
-        for (std::size_t i = 0; i < patch_.size(); ++i)
-          {
-            const unsigned int other = patch_[i];
-            new_radius_[i]           = insphere_radius(corners(other));
-            const double least =
-              other == cell ? least_gain * old_radius : std::min(radius_[other], least_gain * old_radius);
-            if (!(new_radius_[i] >= least))
-              return false;
-          }
-        return !patch_.empty();
-      }
-
-      const std::vector<Cell> &cells_;
-      std::vector<Vec<dim>>   &position_;
-      const std::vector<char> &is_fixed_;
-      const CellsOfNodes       cells_of_nodes_;
-      std::vector<double>      radius_; ///< [m]
-
-      std::vector<unsigned int> patch_;      ///< cells at the free nodes of the present cell
-      std::vector<double>       new_radius_; ///< of the patch [m]
-    };
+        }
+      return mesh.r(c) >= least_gain * before;
+    }
   } // namespace
 
 
-  template <int dim>
-  void Getme<dim>::declare_parameters(ParameterReader &reader)
+  void GetmeControl::declare(ParameterReader &reader)
   {
-    reader.add("Step", step_, "Length of the first step tried, in the lengths of the transformation [-]", {0.001, 10.});
-    reader.add("Trials", n_trials_, "Steps tried for a move, each 0.75 of the one before", 1, 100);
-    reader.add("Moves per cell", n_steps_per_cell_, "Largest number of moves, over the number of bad cells", 1, 10000);
+    reader.add("Step", step, "Length of the first step tried, in the lengths of the transformation [-]", {0.001, 10.});
+    reader.add("Trials", n_trials, "Steps tried for a move, each 0.75 of the one before", 1, 100);
+    reader.add("Moves per cell", n_moves_per_cell, "Largest number of moves, over the number of bad cells", 1, 10000);
   }
 
 
   template <int dim>
-  void Getme<dim>::improve(SimplexMesh<dim> &mesh, std::vector<Vec<dim>> &position, const SmoothingTask &task,
-                           SmoothingReport &)
+  void smooth_by_transformations(StarMesh<dim> &mesh, const GetmeControl &control)
   {
-    const double      threshold = task.target * reference_insphere_radius<dim>(task.spacing);
-    std::vector<char> is_fixed(position.size());
-    for (std::size_t i = 0; i < position.size(); ++i)
-      is_fixed[i] = task.freedom[i] != NodeFreedom::free;
-    Work<dim> work(mesh.cells, position, is_fixed);
-
-    // worst first, then by number; an entry that is out of date, as its cell has changed since, is passed over
+    // Worst first, then by number. An entry that is out of date, as its cell has changed since, is passed over; a cell
+    // that could not be improved waits until something around it has changed.
     using Candidate = std::pair<double, unsigned int>;
     std::priority_queue<Candidate, std::vector<Candidate>, std::greater<Candidate>> queue;
-    for (unsigned int c = 0; c < mesh.cells.size(); ++c)
-      if (work.radius()[c] < threshold)
-        queue.emplace(work.radius()[c], c);
-    const std::size_t n_most = queue.size() * n_steps_per_cell_;
-
-    for (std::size_t n_steps = 0; !queue.empty() && n_steps < n_most;)
+    for (unsigned int c = 0; c < mesh.n_cells(); ++c)
+      if (mesh.r(c) < mesh.target())
+        queue.emplace(mesh.r(c), c);
+    const std::size_t         n_most = queue.size() * control.n_moves_per_cell;
+    std::vector<char>         is_waiting(mesh.n_cells(), 0);
+    std::vector<unsigned int> moved;
+    for (std::size_t n = 0; !queue.empty() && n < n_most; ++n)
       {
-        const auto [radius, cell] = queue.top();
+        const auto [r, c] = queue.top();
         queue.pop();
-        if (radius != work.radius()[cell])
+        if (r != mesh.r(c) || is_waiting[c])
           continue;
-        ++n_steps;
-        if (work.improve(cell, step_, n_trials_))
-          for (const unsigned int other : work.patch())
-            if (work.radius()[other] < threshold)
-              queue.emplace(work.radius()[other], other);
+        is_waiting[c] = !move_corners(mesh, c, control, moved);
+        if (is_waiting[c])
+          continue;
+        for (const unsigned int node : moved)
+          for (const unsigned int other : mesh.star(node))
+            if (mesh.r(other) < mesh.target())
+              {
+                is_waiting[other] = 0;
+                queue.emplace(mesh.r(other), other);
+              }
       }
   }
 
 
-  template class Getme<2>;
-  template class Getme<3>;
+  template void smooth_by_transformations<2>(StarMesh<2> &, const GetmeControl &);
+  template void smooth_by_transformations<3>(StarMesh<3> &, const GetmeControl &);
 } // namespace Breakwater

@@ -69,7 +69,6 @@ namespace Breakwater
   template <int dim>
   NodeStep<dim>::NodeStep(StarMesh<dim> &mesh)
     : mesh_(mesh)
-    , start_(mesh.positions())
   {
   }
 
@@ -81,14 +80,11 @@ namespace Breakwater
     constexpr double       least_part = 0.075, least_gain = 1e-4;
     if (mesh_.freedom(node) == NodeFreedom::fixed)
       return false;
-    slides_ = slides(mesh_.freedom(node));
-    if (slides_)
-      {
-        area_ = mesh_.area_vector(node);
-        normalize(area_);
-        mesh_.boundary_facets(node, facets_);
-      }
-    update_gradients(node);
+    const typename StarMesh<dim>::Constraint constraint(mesh_, node);
+    const bool                               is_on_boundary = slides(mesh_.freedom(node));
+    if (is_on_boundary)
+      mesh_.boundary_facets(node, facets_);
+    update_gradients(node, constraint);
     double smallest = *std::min_element(r_.begin(), r_.end()), proximal = 0.12;
     bool   has_moved = false;
     for (unsigned int k = 0; k < most_evaluations && smallest < wanted; ++k)
@@ -97,16 +93,16 @@ namespace Breakwater
         const double predicted = model_step(proximal, smallest, step);
         if (!(predicted > least_gain))
           break;
-        const Vec<dim> before = mesh_.position(node), x = before + within_reach(node, step);
+        const Vec<dim> before = mesh_.position(node), x = before + mesh_.within_reach(node, step);
         const bool     is_better = evaluate(node, x, smallest + least_part * predicted);
         if (is_better)
           mesh_.move(node, x, new_r_);
-        if (is_better && slides_ && !mesh_.faces_outward(facets_, area_))
+        if (is_better && is_on_boundary && !constraint.faces_outward(mesh_, facets_))
           mesh_.move(node, before, r_);
         else if (is_better)
           {
             has_moved = true;
-            update_gradients(node);
+            update_gradients(node, constraint);
             smallest = *std::min_element(r_.begin(), r_.end());
             proximal *= 1.6;
             continue;
@@ -137,7 +133,7 @@ namespace Breakwater
 
 
   template <int dim>
-  void NodeStep<dim>::update_gradients(const unsigned int node)
+  void NodeStep<dim>::update_gradients(const unsigned int node, const typename StarMesh<dim>::Constraint &constraint)
   {
     const double    unit = 1. / reference_insphere_radius<dim>(mesh_.spacing());
     const Vec<dim> &x    = mesh_.position(node);
@@ -148,10 +144,7 @@ namespace Breakwater
         Vec<dim> gradient;
         r_.push_back(unit *
                      radius_and_gradient(facet_seen_from<dim>(mesh_.positions(), mesh_.cell(c), node), x, gradient));
-        gradient *= unit * mesh_.spacing();
-        if (slides_)
-          gradient -= area_ * dot(area_, gradient);
-        gradient_.push_back(gradient);
+        gradient_.push_back(constraint.allowed_part(gradient * (unit * mesh_.spacing())));
       }
   }
 
@@ -196,19 +189,6 @@ namespace Breakwater
       model = std::min(model, r_[i] + dot(gradient_[i], step));
     step *= mesh_.spacing();
     return model - smallest;
-  }
-
-
-  template <int dim>
-  Vec<dim> NodeStep<dim>::within_reach(const unsigned int node, const Vec<dim> &step) const
-  {
-    const double   reach  = (slides_ ? 0.3 : 0.5) * mesh_.spacing();
-    const Vec<dim> offset = mesh_.position(node) - start_[node];
-    // |offset + t step| = reach
-    const double a = dot(step, step), b = dot(offset, step), c = dot(offset, offset) - reach * reach;
-    if (!(a > 0) || a + 2 * b + c <= 0)
-      return step;
-    return step * std::max(0., (std::sqrt(std::max(0., b * b - a * c)) - b) / a);
   }
 
   template class NodeStep<2>;

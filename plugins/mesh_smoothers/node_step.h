@@ -26,17 +26,14 @@ namespace Breakwater
   private:
     /// r of the cells of the star with the node at x. @return false as soon as one is not larger than `least`
     bool evaluate(unsigned int node, const Vec<dim> &x, double least);
-    void update_gradients(unsigned int node);
+    void update_gradients(unsigned int node, const typename StarMesh<dim>::Constraint &constraint);
     /// The step for a proximal parameter, at most a quarter of the spacing. @return what the model says it gains
-    double   model_step(double proximal, double smallest, Vec<dim> &step) const;
-    Vec<dim> within_reach(unsigned int node, const Vec<dim> &step) const;
+    double model_step(double proximal, double smallest, Vec<dim> &step) const;
 
     StarMesh<dim>                                &mesh_;
     const std::vector<Vec<dim>>                   start_; ///< places before all moves [m]
     std::vector<double>                           r_, new_r_;
     std::vector<Vec<dim>>                         gradient_; ///< of r by the node's place in units of the spacing [-]
-    bool                                          slides_ = false;
-    Vec<dim>                                      area_; ///< of a node that slides
     std::vector<typename SimplexMesh<dim>::Facet> facets_;
   };
 } // namespace Breakwater

@@ -1,5 +1,7 @@
 #include "peel.h"
 
+#include <breakwater/base/parameter_reader.h>
+
 #include <algorithm>
 
 namespace Breakwater
@@ -24,6 +26,15 @@ namespace Breakwater
     for (unsigned int c = 0; c < mesh.n_cells(); ++c)
       if (mesh.is_alive(c))
         allowed_volume_ += largest_part * signed_volume(mesh.corners_of(c));
+  }
+
+
+  template <int dim>
+  void Peel<dim>::declare(ParameterReader &reader, double &largest_part)
+  {
+    reader.add("Largest peel", largest_part,
+               "Slender cells of the free surface may be taken away up to this part of the mesh's volume [-].",
+               {0., 0.01});
   }
 
 
@@ -53,6 +64,24 @@ namespace Breakwater
   }
 
 
+  // Between nodes on the line where surface and wall meet, the fluid draws back along the wall.
+  template <int dim>
+  bool Peel<dim>::may_open(const Facet &facet)
+  {
+    const auto has_surface_node = [this](const Facet &other) {
+      return std::any_of(other.begin(), other.end(), [this](const unsigned int node) {
+        return mesh_.freedom(node) == NodeFreedom::slides_on_surface;
+      });
+    };
+    return has_surface_node(facet) || std::all_of(facet.begin(), facet.end(), [&](const unsigned int node) {
+             if (mesh_.freedom(node) != NodeFreedom::slides_on_line)
+               return false;
+             mesh_.boundary_facets(node, around_);
+             return std::any_of(around_.begin(), around_.end(), has_surface_node);
+           });
+  }
+
+
   template <int dim>
   bool Peel<dim>::try_cell(const unsigned int c)
   {
@@ -75,9 +104,7 @@ namespace Breakwater
             opened.push_back(rotated(facet));
             continue;
           }
-        if (std::none_of(facet.begin(), facet.end(), [this](const unsigned int node) {
-              return mesh_.freedom(node) == NodeFreedom::slides_on_surface;
-            }))
+        if (!may_open(facet))
           return false;
         closed.push_back(rotated(facet));
       }
@@ -93,8 +120,20 @@ namespace Breakwater
 
 
   template <int dim>
-  void Peel<dim>::finish()
+  bool Peel<dim>::worst_first()
   {
+    bool has_peeled = false;
+    for (const unsigned int c : mesh_.bad_cells())
+      has_peeled = try_cell(c) || has_peeled;
+    return has_peeled;
+  }
+
+
+  template <int dim>
+  void Peel<dim>::finish(SmoothingReport &report)
+  {
+    report.n_peeled_cells = n_cells_;
+    report.peeled_volume  = volume_;
     if (n_cells_ == 0)
       return;
     std::vector<Facet> all = opened_, result;

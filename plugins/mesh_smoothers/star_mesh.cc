@@ -1,14 +1,16 @@
 #include "star_mesh.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace Breakwater
 {
   template <int dim>
-  StarMesh<dim>::StarMesh(SimplexMesh<dim> &mesh, std::vector<Vec<dim>> &position, const SmoothingTask &task)
+  StarMesh<dim>::StarMesh(SimplexMesh<dim> &mesh, std::vector<Vec<dim>> &position, const SmoothingTask<dim> &task)
     : mesh_(mesh)
     , position_(position)
+    , start_(position)
     , task_(task)
     , inverse_radius_(1. / reference_insphere_radius<dim>(task.spacing))
     , r_(mesh.cells.size())
@@ -39,6 +41,20 @@ namespace Breakwater
     for (const auto &facet : mesh.boundary)
       for (const unsigned int node : facet)
         is_on_boundary_[node] = 1;
+  }
+
+
+  template <int dim>
+  std::vector<unsigned int> StarMesh<dim>::bad_cells() const
+  {
+    std::vector<unsigned int> bad;
+    for (unsigned int c = 0; c < n_cells(); ++c)
+      if (is_alive(c) && r_[c] < target())
+        bad.push_back(c);
+    std::sort(bad.begin(), bad.end(), [this](const unsigned int a, const unsigned int b) {
+      return r_[a] < r_[b] || (r_[a] == r_[b] && a < b);
+    });
+    return bad;
   }
 
 
@@ -176,17 +192,40 @@ namespace Breakwater
 
 
   template <int dim>
-  bool StarMesh<dim>::faces_outward(const std::vector<Facet> &facets, const Vec<dim> &area_vector) const
+  StarMesh<dim>::Constraint::Constraint(const StarMesh &mesh, const unsigned int node)
+    : is_fixed_(mesh.freedom(node) == NodeFreedom::fixed)
+  {
+    if (!slides(mesh.freedom(node)))
+      return;
+    const auto unit = [](Vec<dim> vector, const double least) {
+      const double length = norm(vector);
+      vector *= length > least ? 1. / length : 0.;
+      return vector;
+    };
+    area_      = mesh.area_vector(node);
+    across_[0] = unit(area_, 0.);
+    if (mesh.freedom(node) == NodeFreedom::slides_on_line)
+      {
+        // Where the area vector is the wall's normal, nothing tells where the line goes.
+        const Vec<dim> &normal = mesh.task_.wall_normal[node];
+        across_[1]             = unit(normal - across_[0] * dot(across_[0], normal), 1e-3);
+        is_fixed_              = dim == 2 || !(norm(across_[1]) > 0);
+      }
+  }
+
+
+  template <int dim>
+  bool StarMesh<dim>::Constraint::faces_outward(const StarMesh &mesh, const std::vector<Facet> &facets) const
   {
     for (const Facet &facet : facets)
       {
-        const Vec<dim> e = position_[facet[1]] - position_[facet[0]];
+        const Vec<dim> e = mesh.position(facet[1]) - mesh.position(facet[0]);
         Vec<dim>       normal;
         if constexpr (dim == 2)
           normal = {{e[1], -e[0]}};
         else
-          normal = cross(e, position_[facet[2]] - position_[facet[0]]);
-        if (dot(normal, area_vector) < 0)
+          normal = cross(e, mesh.position(facet[2]) - mesh.position(facet[0]));
+        if (dot(normal, area_) < 0)
           return false;
       }
     return true;
@@ -209,22 +248,49 @@ namespace Breakwater
 
 
   template <int dim>
-  Vec<dim> allowed_part(const StarMesh<dim> &mesh, const unsigned int node, Vec<dim> displacement)
+  bool StarMesh<dim>::try_move(const unsigned int node, const Vec<dim> &displacement, const double least)
   {
-    if (mesh.freedom(node) == NodeFreedom::fixed)
-      return {};
-    if (slides(mesh.freedom(node)))
+    const Constraint constraint(*this, node);
+    const Vec<dim>   step = within_reach(node, constraint.allowed_part(displacement)), before = position_[node];
+    if (!(norm(step) > 0))
+      return false;
+    new_r_.clear();
+    position_[node] = before + step;
+    bool is_good    = true;
+    for (const unsigned int c : star(node))
       {
-        const Vec<dim> area   = mesh.area_vector(node);
-        const double   square = dot(area, area);
-        if (square > 0)
-          displacement -= area * (dot(area, displacement) / square);
+        new_r_.push_back(quality(corners_of(c)));
+        if (!(new_r_.back() >= std::min(r_[c], std::max(0., least))))
+          {
+            is_good = false;
+            break;
+          }
       }
-    return displacement;
+    if (is_good && slides(freedom(node)))
+      {
+        boundary_facets(node, facets_);
+        is_good = constraint.faces_outward(*this, facets_);
+      }
+    if (is_good)
+      move(node, position_[node], new_r_);
+    else
+      position_[node] = before;
+    return is_good;
+  }
+
+
+  template <int dim>
+  Vec<dim> StarMesh<dim>::within_reach(const unsigned int node, const Vec<dim> &step) const
+  {
+    const double   reach  = (freedom(node) == NodeFreedom::slides_on_surface ? 0.3 : 0.5) * spacing();
+    const Vec<dim> offset = position_[node] - start_[node];
+    // |offset + t step| = reach
+    const double a = dot(step, step), b = dot(offset, step), c = dot(offset, offset) - reach * reach;
+    if (!(a > 0) || a + 2 * b + c <= 0)
+      return step;
+    return step * std::max(0., (std::sqrt(std::max(0., b * b - a * c)) - b) / a);
   }
 
   template class StarMesh<2>;
   template class StarMesh<3>;
-  template Vec<2> allowed_part<2>(const StarMesh<2> &, unsigned int, Vec<2>);
-  template Vec<3> allowed_part<3>(const StarMesh<3> &, unsigned int, Vec<3>);
 } // namespace Breakwater

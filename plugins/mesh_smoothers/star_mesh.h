@@ -18,7 +18,7 @@ namespace Breakwater
     using Facet = typename SimplexMesh<dim>::Facet;
 
     /// Works on the mesh and the positions in place; finish() must be called when cells have been replaced.
-    StarMesh(SimplexMesh<dim> &mesh, std::vector<Vec<dim>> &position, const SmoothingTask &task);
+    StarMesh(SimplexMesh<dim> &mesh, std::vector<Vec<dim>> &position, const SmoothingTask<dim> &task);
 
     std::size_t                  n_cells() const { return mesh_.cells.size(); }
     const Cell                  &cell(const unsigned int c) const { return mesh_.cells[c]; }
@@ -57,6 +57,9 @@ namespace Breakwater
       return sum > 0 ? dot(area[1], x[1] - x[0]) / sum * inverse_radius_ : 0.;
     }
 
+    /// The cells below the target, the worst first.
+    std::vector<unsigned int> bad_cells() const;
+
     /// The smallest r of a star.
     double smallest(const unsigned int node) const;
 
@@ -65,6 +68,14 @@ namespace Breakwater
     void move(unsigned int node, const Vec<dim> &x, const std::vector<double> &r);
     void move(unsigned int node, const Vec<dim> &x);
 
+    /// Moves a node by what its freedom allows of a displacement [m], if every cell of its star keeps its r or stays
+    /// above `least`, and no facet of the boundary turns over. @return whether it has moved
+    bool try_move(unsigned int node, const Vec<dim> &displacement, double least);
+
+    /// As much of a step as keeps a node within 0.5 h of where it was before smoothing, 0.3 h on the free
+    /// surface.
+    Vec<dim> within_reach(unsigned int node, const Vec<dim> &step) const;
+
     /// Replaces cells by others that fill the same place; numbers of the new ones are put into `numbers`.
     void replace(const std::vector<unsigned int> &old_cells, const std::vector<Cell> &new_cells,
                  std::vector<unsigned int> &numbers);
@@ -72,15 +83,34 @@ namespace Breakwater
     /// Takes a cell away.
     void remove(unsigned int c);
 
+    /// Takes the part out of a vector that a node can't move along: nothing inside, the component along its area vector
+    /// on the boundary, that along the wall's normal as well on a line, all if it is fixed.
+    class Constraint
+    {
+    public:
+      Constraint(const StarMesh &mesh, unsigned int node);
+
+      Vec<dim> allowed_part(const Vec<dim> &vector) const
+      {
+        if (is_fixed_)
+          return {};
+        return vector - across_[0] * dot(across_[0], vector) - across_[1] * dot(across_[1], vector);
+      }
+
+      /// True if all these facets of the boundary lie the same way up as the area vector has them.
+      bool faces_outward(const StarMesh &mesh, const std::vector<Facet> &facets) const;
+
+    private:
+      bool     is_fixed_;
+      Vec<dim> area_;      ///< zero inside
+      Vec<dim> across_[2]; ///< orthogonal to each other, unit length or zero
+    };
+
     /// Area vector of a node, dV/dx [m^(dim - 1)]: it depends on its neighbours only.
     Vec<dim> area_vector(unsigned int node) const;
 
     /// The facets of the boundary that have a node, with their normals out of the mesh.
     void boundary_facets(unsigned int node, std::vector<Facet> &facets) const;
-
-    /// True if all boundary facets at a node that slides lie the same way up as its area vector has them; the facets
-    /// are those of boundary_facets().
-    bool faces_outward(const std::vector<Facet> &facets, const Vec<dim> &area_vector) const;
 
     bool is_on_boundary(const unsigned int node) const { return is_on_boundary_[node]; }
 
@@ -97,19 +127,17 @@ namespace Breakwater
     void add_to_star(unsigned int node, unsigned int c);
     void remove_from_star(unsigned int node, unsigned int c);
 
-    SimplexMesh<dim>         &mesh_;
-    std::vector<Vec<dim>>    &position_;
-    const SmoothingTask      &task_;
-    const double              inverse_radius_; ///< [1/m]
-    std::vector<double>       r_;
-    std::vector<Row>          rows_;
-    std::vector<unsigned int> entries_;
-    std::vector<unsigned int> dead_;
-    std::vector<char>         is_on_boundary_;
+    SimplexMesh<dim>           &mesh_;
+    std::vector<Vec<dim>>      &position_;
+    const std::vector<Vec<dim>> start_; ///< places before all moves [m]
+    const SmoothingTask<dim>   &task_;
+    const double                inverse_radius_; ///< [1/m]
+    std::vector<double>         r_;
+    std::vector<Row>            rows_;
+    std::vector<unsigned int>   entries_;
+    std::vector<unsigned int>   dead_;
+    std::vector<char>           is_on_boundary_;
+    std::vector<double>         new_r_;  ///< of a star, in try_move()
+    std::vector<Facet>          facets_; ///< of the boundary, in try_move()
   };
-
-  /// The part of a displacement that a node may make: all of it inside, what is orthogonal to the area vector on the
-  /// boundary, nothing if it is fixed. The volume is affine in the place of one node, so that it is kept.
-  template <int dim>
-  Vec<dim> allowed_part(const StarMesh<dim> &mesh, unsigned int node, Vec<dim> displacement);
 } // namespace Breakwater

@@ -2,6 +2,7 @@
 #include "moved_nodes.h"
 #include "pfem_fluid.h"
 #include "remesh_record.h"
+#include "wall_surface.h"
 
 #include <breakwater/mesh/volume_operator.h>
 
@@ -24,14 +25,15 @@ namespace Breakwater
 
     record.spectral_bound_before = spectral_bound_of_unsmoothed();
     PhaseTimer timer(*context_, Phase::smoothing);
-    unsmoothed_mesh_                       = mesh_;
-    const std::vector<Vec<dim>>    before  = position;
-    const std::vector<NodeFreedom> freedom = freedom_of_nodes();
+    unsmoothed_mesh_                      = mesh_;
+    const std::vector<Vec<dim>>    before = position;
+    std::vector<Vec<dim>>          wall_normal;
+    const std::vector<NodeFreedom> freedom = freedom_of_nodes(wall_normal);
     SmoothingReport               &report  = record.smoothing;
     for (std::size_t s = 0; s < parameters_.mesh_smoothers.size(); ++s)
       {
         const SmoothingReport one = parameters_.mesh_smoothers[s].smooth(
-          mesh_, position, {freedom, parameters_.spacing, parameters_.smoothing_target});
+          mesh_, position, {freedom, wall_normal, parameters_.spacing, parameters_.smoothing_target});
         report.n_flips += one.n_flips;
         report.n_peeled_cells += one.n_peeled_cells;
         report.peeled_volume += one.peeled_volume;
@@ -46,24 +48,50 @@ namespace Breakwater
 
 
   template <int dim>
-  std::vector<NodeFreedom> PfemFluid<dim>::freedom_of_nodes()
+  std::vector<NodeFreedom> PfemFluid<dim>::freedom_of_nodes(std::vector<Vec<dim>> &wall_normal)
   {
     classify_nodes();
+    find_wall_normals(wall_normal);
     std::vector<NodeFreedom> freedom(nodes_.n, NodeFreedom::fixed);
     for (std::size_t i = 0; i < nodes_.n; ++i)
       {
-        if (nodes_.is_driven(i) || !nodes_.has_cells[i])
-          continue;
         const Contacts &walls = nodes_.walls[i];
-        // The area vector of a node on one flat wall, away from the surface, is the wall's normal.
-        const bool is_on_one_plane =
-          std::distance(walls.begin(), walls.end()) == 1 && !parameters_.walls.is_curved(walls);
-        if (walls.empty())
-          freedom[i] = nodes_.is_surface[i] ? NodeFreedom::slides_on_surface : NodeFreedom::free;
-        else if (is_on_one_plane && !nodes_.is_surface[i])
+        if (nodes_.is_driven(i) || !nodes_.has_cells[i] || parameters_.walls.is_curved(walls))
+          continue;
+        const bool is_surface = nodes_.is_surface[i];
+        const auto n_walls    = std::distance(walls.begin(), walls.end());
+        if (n_walls == 0)
+          freedom[i] = is_surface ? NodeFreedom::slides_on_surface : NodeFreedom::free;
+        else if (n_walls == 1 && !is_surface)
           freedom[i] = NodeFreedom::slides_on_wall;
+        else if (n_walls + is_surface == 2 && norm(wall_normal[i]) > 0)
+          freedom[i] = NodeFreedom::slides_on_line;
       }
     return freedom;
+  }
+
+
+  // From the facets that the first of a node's walls closes.
+  template <int dim>
+  void PfemFluid<dim>::find_wall_normals(std::vector<Vec<dim>> &normal) const
+  {
+    normal.assign(nodes_.n, {});
+    for (const auto &facet : mesh_.boundary)
+      {
+        Contacts                  shared = nodes_.walls[facet[0]];
+        std::array<Vec<dim>, dim> x;
+        for (int a = 0; a < dim; ++a)
+          {
+            shared = common(shared, nodes_.walls[facet[a]]);
+            x[a]   = nodes_.position(facet[a]);
+          }
+        for (const unsigned int i : facet)
+          if (!shared.empty() && shared.has(*nodes_.walls[i].begin()))
+            normal[i] += area_vector<dim>(x);
+      }
+    for (Vec<dim> &n : normal)
+      if (const double length = norm(n); length > 0)
+        n *= 1. / length;
   }
 
 

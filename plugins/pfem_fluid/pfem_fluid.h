@@ -137,7 +137,8 @@ namespace Breakwater
 
     // mesh_smoothing.cc
     void                     smooth_mesh(RemeshRecord &record);
-    std::vector<NodeFreedom> freedom_of_nodes();
+    std::vector<NodeFreedom> freedom_of_nodes(std::vector<Vec<dim>> &wall_normal);
+    void                     find_wall_normals(std::vector<Vec<dim>> &normal) const;
     double                   spectral_bound_of_unsmoothed(); ///< [s]
     void                     move_to_smoothed(const std::vector<Vec<dim>> &position);
 

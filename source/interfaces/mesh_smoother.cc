@@ -69,7 +69,7 @@ namespace Breakwater
       return result;
     }
 
-    /// True if every facet of the first list that has no node on the free surface is in the second; both are in rising
+    /// True if every facet of the first list that does not touch the free surface is in the second; both are in rising
     /// order.
     template <class Facet>
     bool has_all_off_surface(const std::vector<Facet> &a, const std::vector<Facet> &b,
@@ -77,10 +77,14 @@ namespace Breakwater
     {
       std::vector<Facet> lost;
       std::set_difference(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(lost));
-      return std::none_of(lost.begin(), lost.end(), [&](const Facet &facet) {
-        return std::all_of(facet.begin(), facet.end(), [&](const unsigned int node) {
-          return freedom[node] != NodeFreedom::slides_on_surface;
+      const auto has = [&](const Facet &facet, const NodeFreedom kind, const bool all) {
+        const auto n = std::count_if(facet.begin(), facet.end(), [&](const unsigned int node) {
+          return freedom[node] == kind;
         });
+        return all ? n == static_cast<long>(facet.size()) : n > 0;
+      };
+      return std::all_of(lost.begin(), lost.end(), [&](const Facet &facet) {
+        return has(facet, NodeFreedom::slides_on_surface, false) || has(facet, NodeFreedom::slides_on_line, true);
       });
     }
   } // namespace
@@ -88,7 +92,7 @@ namespace Breakwater
 
   template <int dim>
   SmoothingReport MeshSmoother<dim>::smooth(SimplexMesh<dim> &mesh, std::vector<Vec<dim>> &position,
-                                            const SmoothingTask &task)
+                                            const SmoothingTask<dim> &task)
   {
     const double                start  = cpu_time();
     const std::vector<Vec<dim>> before = position;
@@ -130,7 +134,7 @@ namespace Breakwater
   template <int dim>
   std::string smoothing_violation(const SimplexMesh<dim> &mesh_before, const std::vector<Vec<dim>> &before,
                                   const SimplexMesh<dim> &mesh_after, const std::vector<Vec<dim>> &after,
-                                  const SmoothingTask &task, const SmoothingReport &report)
+                                  const SmoothingTask<dim> &task, const SmoothingReport &report)
   {
     for (std::size_t i = 0; i < before.size(); ++i)
       {
@@ -167,8 +171,8 @@ namespace Breakwater
   template void        measure_moves<3>(const std::vector<Vec<3>> &, const std::vector<Vec<3>> &, SmoothingReport &);
   template std::string smoothing_violation<2>(const SimplexMesh<2> &, const std::vector<Vec<2>> &,
                                               const SimplexMesh<2> &, const std::vector<Vec<2>> &,
-                                              const SmoothingTask &, const SmoothingReport &);
+                                              const SmoothingTask<2> &, const SmoothingReport &);
   template std::string smoothing_violation<3>(const SimplexMesh<3> &, const std::vector<Vec<3>> &,
                                               const SimplexMesh<3> &, const std::vector<Vec<3>> &,
-                                              const SmoothingTask &, const SmoothingReport &);
+                                              const SmoothingTask<3> &, const SmoothingReport &);
 } // namespace Breakwater

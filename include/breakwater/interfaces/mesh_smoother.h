@@ -12,21 +12,24 @@ namespace Breakwater
   /// volume.
   enum class NodeFreedom : char
   {
-    fixed,             ///< stays: edges of walls, bent walls, lines where surface and wall meet, interface, inflow
+    fixed,             ///< stays: corners of walls, bent walls, interface, inflow
+    slides_on_line,    ///< on the line where a flat wall meets the free surface or another wall: along the wall, too
     slides_on_wall,    ///< on one flat wall
-    slides_on_surface, ///< on the free surface; only facets with such a node may be opened
+    slides_on_surface, ///< on the free surface; only facets with such a node, or between lines, may be opened
     free               ///< anywhere, as long as no cell is inverted: inside
   };
 
   constexpr bool slides(const NodeFreedom freedom)
   {
-    return freedom == NodeFreedom::slides_on_wall || freedom == NodeFreedom::slides_on_surface;
+    return freedom != NodeFreedom::fixed && freedom != NodeFreedom::free;
   }
 
   /// What a smoother is asked for.
+  template <int dim>
   struct SmoothingTask
   {
     const std::vector<NodeFreedom> &freedom;      ///< of the nodes
+    const std::vector<Vec<dim>>    &wall_normal;  ///< at nodes that slide on a line, of a wall; unit length
     double                          spacing;      ///< the wanted distance of nodes, h [m]
     double                          target = 0.6; ///< wanted smallest insphere radius, in units of the regular cell's
   };
@@ -56,12 +59,12 @@ namespace Breakwater
     /// smoothing_violation().
     /// @param mesh no cell is inverted; the order of cells and boundary facets may change
     /// @param position of the nodes [m]
-    SmoothingReport smooth(SimplexMesh<dim> &mesh, std::vector<Vec<dim>> &position, const SmoothingTask &task);
+    SmoothingReport smooth(SimplexMesh<dim> &mesh, std::vector<Vec<dim>> &position, const SmoothingTask<dim> &task);
 
   protected:
     /// What smooth() does to the mesh. Flips and peeled cells are to be counted in the report; the rest is measured.
     /// @post no violation, see smoothing_violation()
-    virtual void improve(SimplexMesh<dim> &mesh, std::vector<Vec<dim>> &position, const SmoothingTask &task,
+    virtual void improve(SimplexMesh<dim> &mesh, std::vector<Vec<dim>> &position, const SmoothingTask<dim> &task,
                          SmoothingReport &report) = 0;
   };
 
@@ -72,11 +75,11 @@ namespace Breakwater
   /// Checks what every smoother owes: no cell is inverted (the smallest signed insphere radius is not negative, or at
   /// least what it was), fixed nodes stay, every node keeps a cell, `boundary` is that of the cells and the same as
   /// before except for peeled cells, facets without a
-  /// node that slides on the surface stay even so, and the volume is kept to round-off but
+  /// node that slides on the surface, and not all of whose nodes slide on lines, stay even so, and the volume is kept to round-off but
   /// for that of peeled cells.
   /// @return the first violation in words, empty if there is none
   template <int dim>
   std::string smoothing_violation(const SimplexMesh<dim> &mesh_before, const std::vector<Vec<dim>> &before,
                                   const SimplexMesh<dim> &mesh_after, const std::vector<Vec<dim>> &after,
-                                  const SmoothingTask &task, const SmoothingReport &report);
+                                  const SmoothingTask<dim> &task, const SmoothingReport &report);
 } // namespace Breakwater

@@ -1,0 +1,114 @@
+#include <gtest/gtest.h>
+#include <mesh_smoothers/elastic_analogy.h>
+#include <mesh_smoothers/elastic_analogy_then_getme.h>
+#include <mesh_smoothers/flips_and_optimization.h>
+#include <mesh_smoothers/getme.h>
+
+#include <cmath>
+#include <cstdio>
+#include <string>
+
+#include "clouds.h"
+
+using namespace Breakwater;
+
+namespace
+{
+  /// Four nodes nearly in a plane that nothing holds.
+  TestMesh<3> sliver()
+  {
+    TestMesh<3> result;
+    result.position   = {{{0.7, 0, 0.01}}, {{0, 0.7, -0.01}}, {{-0.7, 0, 0.01}}, {{0, -0.7, -0.01}}};
+    result.mesh.cells = {{{0, 1, 3, 2}}};
+    for (int a = 0; a < 4; ++a)
+      result.mesh.boundary.push_back(outward_facet<3>(result.mesh.cells[0], a));
+    result.freedom.assign(4, NodeFreedom::free);
+    return result;
+  }
+
+  TEST(Getme, OpensASliver)
+  {
+    TestMesh<3> mesh = sliver();
+    EXPECT_LT(mesh.smallest_r(), 0.06);
+    Getme<3>().smooth(mesh.mesh, mesh.position, mesh.task(0.7));
+    EXPECT_GT(mesh.smallest_r(), 0.5);
+  }
+
+  TEST(ElasticAnalogy, OpensASliver)
+  {
+    TestMesh<3> mesh = sliver();
+    ElasticAnalogy<3>().smooth(mesh.mesh, mesh.position, mesh.task(0.7));
+    EXPECT_GT(mesh.smallest_r(), 0.5);
+  }
+
+  /// Smallest r before and after on a block of a jittered lattice, its floor at a wall.
+  template <class Smoother, int dim>
+  void expect_on_block(const std::string &name, const double target, const double expected)
+  {
+    Random              random(3);
+    const TestMesh<dim> before =
+      mesh_of_cloud<dim>(jittered_lattice<dim>(dim == 2 ? 40 : 14, dim == 2 ? 0.45 : 0.3, random));
+    TestMesh<dim> mesh = before;
+    Smoother      smoother;
+    const auto    report = smoother.smooth(mesh.mesh, mesh.position, mesh.task(target));
+    std::printf("%s, %dD: smallest r %.5f to %.3f, %u of %zu nodes moved, %u flips, %u cells peeled\n", name.c_str(),
+                dim, before.smallest_r(), mesh.smallest_r(), report.n_moved_nodes, mesh.position.size(), report.n_flips,
+                report.n_peeled_cells);
+    EXPECT_LT(before.smallest_r(), dim == 2 ? 0.2 : 0.02);
+    EXPECT_GT(mesh.smallest_r(), expected);
+    EXPECT_LE(std::abs(report.volume_change), 1e-4 * std::pow(dim == 2 ? 40 : 14, dim));
+    EXPECT_LE(report.largest_move, 0.5 + 1e-12);
+    EXPECT_EQ(smoothing_violation(before.mesh, before.position, mesh.mesh, mesh.position, before.task(target), report),
+              "");
+  }
+
+  TEST(MeshSmoothers, RepairABlock)
+  {
+    expect_on_block<FlipsAndOptimization<2>, 2>("flips and optimization", 0.6, 0.5);
+    expect_on_block<FlipsAndOptimization<3>, 3>("flips and optimization", 0.6, 0.4);
+    expect_on_block<ElasticAnalogyThenGetme<2>, 2>("elastic analogy then GETMe", 0.3, 0.25);
+    expect_on_block<ElasticAnalogyThenGetme<3>, 3>("elastic analogy then GETMe", 0.2, 0.1);
+  }
+
+  TEST(MeshSmoothers, LeaveAGoodMeshAndFixedNodesAlone)
+  {
+    Random            random(1);
+    const TestMesh<3> original = mesh_of_cloud<3>(jittered_lattice<3>(6, 0.3, random));
+    TestMesh<3>       mesh     = original;
+    const auto        is_same  = [&]() {
+      for (std::size_t i = 0; i < mesh.position.size(); ++i)
+        if (norm(mesh.position[i] - original.position[i]) > 0)
+          return false;
+      return true;
+    };
+    FlipsAndOptimization<3>().smooth(mesh.mesh, mesh.position, mesh.task(0.));
+    EXPECT_EQ(mesh.mesh.cells, original.mesh.cells);
+    std::fill(mesh.freedom.begin(), mesh.freedom.end(), NodeFreedom::fixed);
+    ElasticAnalogyThenGetme<3>().smooth(mesh.mesh, mesh.position, mesh.task(0.9));
+    EXPECT_EQ(mesh.mesh.cells, original.mesh.cells);
+    FlipsAndOptimization<3>().smooth(mesh.mesh, mesh.position, mesh.task(0.9));
+    EXPECT_TRUE(is_same());
+  }
+
+  TEST(SmoothingViolation, TellsWhatIsWrong)
+  {
+    Random            random(1);
+    const TestMesh<3> before = mesh_of_cloud<3>(jittered_lattice<3>(5, 0.2, random));
+    const auto        told   = [&](const TestMesh<3> &after) {
+      return smoothing_violation(before.mesh, before.position, after.mesh, after.position, before.task(0.5), {});
+    };
+    EXPECT_EQ(told(before), "");
+    TestMesh<3> after = before;
+    after.mesh.cells.pop_back();
+    EXPECT_NE(told(after), "");
+    after = before;
+    std::swap(after.mesh.cells[0][0], after.mesh.cells[0][1]);
+    EXPECT_EQ(told(after), "a cell is inverted");
+    after = before;
+    after.mesh.boundary.pop_back();
+    EXPECT_EQ(told(after), "the boundary is not that of the cells");
+    after = before;
+    after.position[before.mesh.boundary[0][0]] += {{0.01, 0.01, 0.01}};
+    EXPECT_NE(told(after), "");
+  }
+} // namespace
