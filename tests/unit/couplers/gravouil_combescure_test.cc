@@ -118,6 +118,22 @@ namespace
   }
 
 
+  TEST(GravouilCombescure, AThousandFineStepsInACoarseOne)
+  {
+    for (const bool first_is_coarse : {true, false})
+      {
+        Pair pair = bars(20, 1000, first_is_coarse, 0, 1e-9);
+        pair.first.set_adopts(true);
+        const Outcome outcome = run_bars(pair, 10);
+        std::printf("m = %u: energy kept %.5f\n", pair.coupling.balance(0).n_substeps, outcome.energy);
+        EXPECT_EQ(pair.coupling.balance(0).n_substeps, 1000u);
+        EXPECT_NEAR(outcome.energy, 1, 5e-3);
+        EXPECT_LT(outcome.largest_energy, 1.001);
+        EXPECT_LE(outcome.largest_pseudo_growth, 1e-17);
+      }
+  }
+
+
   // The work itself may be positive for some steps at first; what the theory bounds falls at every step.
   TEST(GravouilCombescure, PseudoEnergyFallsAtEveryStep)
   {

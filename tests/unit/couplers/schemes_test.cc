@@ -34,6 +34,7 @@ namespace
               EXPECT_LT(std::abs(outcome.interface_energy), 1e-10);
               EXPECT_LT(outcome.largest_interface_energy, 1e-10);
               EXPECT_LT(std::abs(loss[k]), 1e-7);
+              EXPECT_LT(std::abs(pair.coupling.balance(0).momentum[0]), 1e-12);
             }
         }
   }
