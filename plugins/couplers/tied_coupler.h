@@ -123,7 +123,7 @@ namespace Breakwater
     std::string  interface_     = "matching";
     double       spacing_       = 0; ///< of the nodes of a surface that does not match [m]
     double       mass_share_    = 0.5;
-    unsigned int direct_up_to_  = 1000;
+    unsigned int direct_up_to_  = 20000;
     std::string  coarse_domain_ = "automatic";
 
     std::vector<Tie>                 ties_;
