@@ -386,7 +386,7 @@ namespace Breakwater
     while (n_wait < 3 && largest + (n_wait + 2) * growth <= allowed)
       ++n_wait;
     watch = {largest, 0, n_wait};
-    return largest > allowed;
+    return is_too_strained(largest);
   }
 
 
@@ -399,6 +399,20 @@ namespace Breakwater
       return true;
     // Bodies of fluid that fly towards each other share no cell of the mesh.
     return gaps_.may_close(nodes_.xp, nodes_.position_at_remesh, parameters_.spacing);
+  }
+
+
+  template <int dim>
+  bool PfemFluid<dim>::is_too_strained(const double largest) const
+  {
+    const double allowed = parameters_.largest_strain * parameters_.spacing;
+    if (largest <= allowed || largest > 2 * allowed || parameters_.strained_part == 0)
+      return largest > allowed;
+    const auto n_strained = std::count_if(mesh_.cells.begin(), mesh_.cells.end(), [&](const auto &cell) {
+      return element_passes<dim>().largest_relative_displacement(cell.data(), 1, nodes_.xp.data(),
+                                                                 nodes_.position_at_remesh.data()) > allowed;
+    });
+    return n_strained > parameters_.strained_part * mesh_.cells.size();
   }
 
 

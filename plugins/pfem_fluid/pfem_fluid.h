@@ -82,6 +82,7 @@ namespace Breakwater
     void              check_state() const;
     [[noreturn]] void fail_at_node(std::size_t node, double fastest) const;
     bool              is_strained();
+    bool              is_too_strained(double largest_displacement) const; ///< in a cell [m]
     bool              needs_remeshing();
 
     // initial_nodes.cc

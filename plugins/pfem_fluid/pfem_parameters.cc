@@ -111,6 +111,9 @@ namespace Breakwater
                  "An edge longer than this times the spacing gets a node in its middle [-]; 0: none.", {0., 4.});
       reader.add("Largest strain", largest_strain,
                  "Remesh when a node has moved against its cell by this fraction of the spacing [-].", {0.01, 0.5});
+      reader.add("Strained part", strained_part,
+                 "Part of the cells in which it may be up to twice as much [-]: splashes strain a few cells always.",
+                 {0., 1.});
     }
     {
       SectionScope scope(reader, "Stabilization");

@@ -61,6 +61,7 @@ namespace Breakwater
     double          alpha          = 1.05;
     double          alpha_of_fluid = 1.4;
     double          largest_strain = 0.2;
+    double          strained_part  = 0;
     NodeLimits<dim> node_limits;
     double          softening                = 12.;
     double          density_diffusion        = 0.5;

@@ -42,6 +42,10 @@ for dimension, settings, far_wall in (
                        abs(history["fluid momentum y [kg m/s]"][-1] / expected - 1), 0, 5e-10)
     verification.check(f"{dimension}D, momentum made at remeshes, relative", made / abs(expected), 0, 1e-10)
     verification.check(f"{dimension}D, momentum across, relative", across / abs(expected), 0, 1e-10)
+    twice = {"Fluid/Pfem/Remeshing/Largest strain": 0.01, "Fluid/Pfem/Remeshing/Strained part": 1}
+    run("verification/free_block.prm", {**twice, **STABILIZED, **settings})
+    verification.check(f"{dimension}D, remeshes over those before when all cells may be strained twice as much",
+                       read_summary()["n_remeshes"] / summary["n_remeshes"], 0.2, 0.8)
     run("verification/free_block.prm", {**STABILIZED, **RIGID, **settings})
     verification.check(f"{dimension}D without pressure and shifts, alone: remeshes", read_summary()["n_remeshes"], 0, 0)
     run("verification/free_block.prm",
