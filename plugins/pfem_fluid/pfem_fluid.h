@@ -101,7 +101,7 @@ namespace Breakwater
     void update_volumes();
     void add_cap_forces();
 
-    Cap  cap_of(const CurvedFacet &facet) const;
+    Cap cap_of(const CurvedFacet &facet) const;
 
     // rim_facets.cc
     struct RimFacet

@@ -31,8 +31,10 @@ namespace Breakwater
     correct_volumes(own_energy(before), record);
     shift_to_centroids();
     adopted_.update_normals();
+    // A node on a facet between two nodes of a body has hardly a volume, and nothing keeps it from passing through.
+    constexpr double      clearance = 0.25;
     std::vector<Vec<dim>> impulse(nodes_.n_interface);
-    record.n_pushed_out = adopted_.push_out(nodes_, 2 * parameters_.spacing, impulse);
+    record.n_pushed_out = adopted_.push_out(nodes_, 2 * parameters_.spacing, clearance * parameters_.spacing, impulse);
     n_pushed_out_ += record.n_pushed_out;
 
     const double volume_before = mesh_volume();

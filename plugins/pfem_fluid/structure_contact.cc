@@ -150,7 +150,7 @@ namespace Breakwater
 
 
   template <int dim>
-  unsigned int AdoptedSurface<dim>::push_out(FluidNodes<dim> &nodes, const double largest_depth,
+  unsigned int AdoptedSurface<dim>::push_out(FluidNodes<dim> &nodes, const double largest_depth, const double clearance,
                                              std::vector<Vec<dim>> &impulse) const
   {
     if (empty())
@@ -162,8 +162,8 @@ namespace Breakwater
         for (; i < end_of_body_[body]; ++i)
           for (int d = 0; d < dim; ++d)
             {
-              boxes[body][0][d] = std::min(boxes[body][0][d], surface_.position[i][d]);
-              boxes[body][1][d] = std::max(boxes[body][1][d], surface_.position[i][d]);
+              boxes[body][0][d] = std::min(boxes[body][0][d], surface_.position[i][d] - clearance);
+              boxes[body][1][d] = std::max(boxes[body][1][d], surface_.position[i][d] + clearance);
             }
       }
 
@@ -178,7 +178,11 @@ namespace Breakwater
           return inside;
         });
         Foot           foot;
-        if (!is_inside || !nearest(x, largest_depth, foot) || !(foot.distance < 0))
+        if (!is_inside || !nearest(x, largest_depth, foot) || !(foot.distance < clearance))
+          continue;
+        for (int d = 0; d < dim; ++d)
+          nodes.xp[i][d] = foot.place[d] + clearance * foot.normal[d];
+        if (foot.distance >= 0)
           continue;
         ++n_pushed;
         Vec<dim> relative = nodes.velocity(i);
@@ -186,10 +190,7 @@ namespace Breakwater
           relative -= surface_.velocity[foot.nodes[k]] * foot.weights[k];
         const double inward = std::min(0., dot(relative, foot.normal));
         for (int d = 0; d < dim; ++d)
-          {
-            nodes.xp[i][d] = foot.place[d];
-            nodes.v[i][d] -= inward * foot.normal[d];
-          }
+          nodes.v[i][d] -= inward * foot.normal[d];
         for (int k = 0; k < dim; ++k)
           impulse[foot.nodes[k]] += foot.normal * (nodes.mass[i] * inward * foot.weights[k]);
       }

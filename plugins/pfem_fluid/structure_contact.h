@@ -37,9 +37,10 @@ namespace Breakwater
     /// around each interface node of the cell.
     bool accepts(const Cell &cell, const FluidNodes<dim> &nodes) const;
 
-    /// Puts fluid nodes that have come inside the body onto its surface and takes their normal velocity into it.
-    /// That momentum is added to `impulse` [kg m/s] at the interface nodes. @return how many nodes were put back
-    unsigned int push_out(FluidNodes<dim> &nodes, double largest_depth, std::vector<Vec<dim>> &impulse) const;
+    /// Puts fluid nodes that have come inside the body, or closer to it than `clearance` [m], to that distance, and
+    /// takes the normal velocity into it of those that were inside. That momentum is added to `impulse` [kg m/s] at the interface nodes. @return how many nodes were put back
+    unsigned int push_out(FluidNodes<dim> &nodes, double largest_depth, double clearance,
+                          std::vector<Vec<dim>> &impulse) const;
 
     /// Signed distance [m] of a place to the surface, negative inside the body, as long as it is at most
     /// `largest_distance`, which is returned where the surface is farther.

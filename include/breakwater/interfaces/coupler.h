@@ -25,9 +25,9 @@ namespace Breakwater
     double       largest_drift      = 0; ///< largest displacement drift of the run [m]
     double       correction_energy  = 0; ///< what putting drifted nodes back has given to the domains [J]
     Vec<3>       momentum;               ///< that the link forces on all domains have not in balance [kg m/s]
-    unsigned int n_substeps         = 1; ///< fine steps in the last coarse step, m
-    unsigned int n_unknowns         = 0; ///< multipliers that are solved for together; 0: each on its own
-    unsigned int n_iterations       = 0; ///< of the solver in the last coarse step; 0: direct or nothing to solve
+    unsigned int n_substeps   = 1;       ///< fine steps in the last coarse step, m
+    unsigned int n_unknowns   = 0;       ///< multipliers that are solved for together; 0: each on its own
+    unsigned int n_iterations = 0;       ///< of the solver in the last coarse step; 0: direct or nothing to solve
   };
 
   /// Advances explicit domains together in time, tied in pairs at their wet surfaces.

@@ -248,7 +248,7 @@ TYPED_TEST(Contact, PushesLeakedNodesOutAndHandsTheirMomentumOn)
       nodes.v[first + 2][d] = in[d];
     }
   std::vector<Vec<dim>> impulse(first);
-  EXPECT_EQ(surface.push_out(nodes, 0.2, impulse), 2u);
+  EXPECT_EQ(surface.push_out(nodes, 0.2, 0., impulse), 2u);
 
   // Back on the surface, at the nearest place.
   EXPECT_NEAR(norm(nodes.position(first) - place<dim>(0., 0.23, 0.12)), 0., 1e-14);
@@ -268,6 +268,23 @@ TYPED_TEST(Contact, PushesLeakedNodesOutAndHandsTheirMomentumOn)
 }
 
 
+TYPED_TEST(Contact, KeepsADistanceFromNodesOutsideWithoutTouchingTheirVelocity)
+{
+  constexpr int             dim = TypeParam::value;
+  const AdoptedSurface<dim> surface(plate<dim>());
+  FluidNodes<dim>           nodes = nodes_with(surface, {place<dim>(-0.002, 0.2, 0.1), place<dim>(-0.02, 0.2, 0.1)});
+  const std::size_t         first = nodes.n_interface;
+  nodes.v[first][0]               = 1;
+  std::vector<Vec<dim>> impulse(first);
+  EXPECT_EQ(surface.push_out(nodes, 0.1, 0.01, impulse), 0u);
+  EXPECT_NEAR(norm(nodes.position(first) - place<dim>(-0.01, 0.2, 0.1)), 0., 1e-14);
+  EXPECT_NEAR(norm(nodes.position(first + 1) - place<dim>(-0.02, 0.2, 0.1)), 0., 1e-14);
+  EXPECT_EQ(nodes.v[first][0], 1);
+  for (const Vec<dim> &i : impulse)
+    EXPECT_EQ(norm(i), 0.);
+}
+
+
 // Two plates, the second one far to the right: each pushes out of itself, what lies between them is left alone.
 TYPED_TEST(Contact, SeveralBodiesStandOneAfterTheOther)
 {
@@ -284,7 +301,7 @@ TYPED_TEST(Contact, SeveralBodiesStandOneAfterTheOther)
   FluidNodes<dim> nodes =
     nodes_with(surface, {place<dim>(0.5, 0.2, 0.1), place<dim>(0.001, 0.2, 0.1), place<dim>(1.001, 0.2, 0.1)});
   std::vector<Vec<dim>> impulse(nodes.n_interface);
-  EXPECT_EQ(surface.push_out(nodes, 0.1, impulse), 2u);
+  EXPECT_EQ(surface.push_out(nodes, 0.1, 0., impulse), 2u);
   EXPECT_NEAR(nodes.xp[nodes.n - 3][0], 0.5, 1e-15);
   EXPECT_NEAR(nodes.xp[nodes.n - 2][0], 0, 1e-12);
   EXPECT_NEAR(nodes.xp[nodes.n - 1][0], 1, 1e-12);
@@ -298,7 +315,7 @@ TYPED_TEST(Contact, PushesNothingOutOfNoBody)
   FluidNodes<dim>           nodes = nodes_with<dim>(none, {place<dim>(0.01, 0.2, 0.1)});
   std::vector<Vec<dim>>     impulse;
   EXPECT_TRUE(none.empty());
-  EXPECT_EQ(none.push_out(nodes, 0.2, impulse), 0u);
+  EXPECT_EQ(none.push_out(nodes, 0.2, 0., impulse), 0u);
 }
 
 
