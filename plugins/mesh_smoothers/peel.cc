@@ -16,6 +16,14 @@ namespace Breakwater
         std::rotate(facet.begin(), std::min_element(facet.begin(), facet.end()), facet.end());
       return facet;
     }
+
+    template <int dim, class Nodes>
+    bool has_surface_node(const StarMesh<dim> &mesh, const Nodes &nodes)
+    {
+      return std::any_of(nodes.begin(), nodes.end(), [&mesh](const unsigned int node) {
+        return mesh.freedom(node) == NodeFreedom::slides_on_surface;
+      });
+    }
   } // namespace
 
 
@@ -68,16 +76,13 @@ namespace Breakwater
   template <int dim>
   bool Peel<dim>::may_open(const Facet &facet)
   {
-    const auto has_surface_node = [this](const Facet &other) {
-      return std::any_of(other.begin(), other.end(), [this](const unsigned int node) {
-        return mesh_.freedom(node) == NodeFreedom::slides_on_surface;
-      });
-    };
-    return has_surface_node(facet) || std::all_of(facet.begin(), facet.end(), [&](const unsigned int node) {
+    return has_surface_node<dim>(mesh_, facet) || std::all_of(facet.begin(), facet.end(), [&](const unsigned int node) {
              if (mesh_.freedom(node) != NodeFreedom::slides_on_line)
                return false;
              mesh_.boundary_facets(node, around_);
-             return std::any_of(around_.begin(), around_.end(), has_surface_node);
+             return std::any_of(around_.begin(), around_.end(), [this](const Facet &other) {
+               return has_surface_node<dim>(mesh_, other);
+             });
            });
   }
 
@@ -85,14 +90,20 @@ namespace Breakwater
   template <int dim>
   bool Peel<dim>::try_cell(const unsigned int c)
   {
-    constexpr double largest_height = 0.35;
-    const auto       cell           = mesh_.cell(c);
+    constexpr double largest_height = 0.35, thickest_film = 0.05;
+    const auto       cell = mesh_.cell(c);
     for (const unsigned int node : cell)
       if (!mesh_.is_on_boundary(node) || mesh_.star(node).size() < 2)
         return false;
     const double volume = signed_volume(mesh_.corners_of(c));
     if (height(c) > largest_height * mesh_.spacing() || volume_ + volume > allowed_volume_)
       return false;
+
+    // A film between a wall and a node of the surface that hardly stands off it.
+    const bool is_film = height(c) <= thickest_film * mesh_.spacing() && has_surface_node<dim>(mesh_, cell) &&
+                         std::none_of(cell.begin(), cell.end(), [this](const unsigned int node) {
+                           return mesh_.freedom(node) == NodeFreedom::fixed;
+                         });
 
     std::vector<Facet> opened, closed;
     for (int a = 0; a <= dim; ++a)
@@ -104,7 +115,7 @@ namespace Breakwater
             opened.push_back(rotated(facet));
             continue;
           }
-        if (!may_open(facet))
+        if (!may_open(facet) && !is_film)
           return false;
         closed.push_back(rotated(facet));
       }

@@ -10,9 +10,10 @@ namespace Breakwater
   /// of nodes help.
   ///
   /// A cell goes if r is below the target, at least one of its facets is on the boundary and each such facet has a node
-  /// that slides on the surface or lies between nodes on the line where surface and wall meet (all other walls and
-  /// interfaces stay closed), it is flat (height 3 V / A_max at most 0.35 h; in 2D
-  /// 2 A / longest edge), no node loses its last cell, and the volume taken in all stays below a part of the mesh's.
+  /// that slides on the surface or lies between nodes on the line where surface and wall meet, it is flat (height
+  /// 3 V / A_max at most 0.35 h; in 2D 2 A / longest edge), no node loses its last cell, and the volume taken in all
+  /// stays below a part of the mesh's. Films against a wall, at most 0.05 h high, with a node on the surface and none
+  /// that is fixed, go whatever their facets.
   template <int dim>
   class Peel
   {

@@ -69,22 +69,22 @@ namespace Breakwater
       return result;
     }
 
-    /// True if every facet of the first list that does not touch the free surface is in the second; both are in rising
-    /// order.
+    /// True if every facet of the first list that has a fixed node, and none on the free surface, is in the second; both
+    /// are in rising order.
     template <class Facet>
     bool has_all_off_surface(const std::vector<Facet> &a, const std::vector<Facet> &b,
                              const std::vector<NodeFreedom> &freedom)
     {
       std::vector<Facet> lost;
       std::set_difference(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(lost));
-      const auto has = [&](const Facet &facet, const NodeFreedom kind, const bool all) {
-        const auto n = std::count_if(facet.begin(), facet.end(), [&](const unsigned int node) {
-          return freedom[node] == kind;
-        });
-        return all ? n == static_cast<long>(facet.size()) : n > 0;
-      };
-      return std::all_of(lost.begin(), lost.end(), [&](const Facet &facet) {
-        return has(facet, NodeFreedom::slides_on_surface, false) || has(facet, NodeFreedom::slides_on_line, true);
+      return std::none_of(lost.begin(), lost.end(), [&](const Facet &facet) {
+        return std::any_of(facet.begin(), facet.end(),
+                           [&](const unsigned int node) {
+                             return freedom[node] == NodeFreedom::fixed;
+                           }) &&
+               std::none_of(facet.begin(), facet.end(), [&](const unsigned int node) {
+                 return freedom[node] == NodeFreedom::slides_on_surface;
+               });
       });
     }
   } // namespace
@@ -155,7 +155,7 @@ namespace Breakwater
     if (report.n_peeled_cells == 0 && boundary != old_boundary)
       return "the boundary has changed";
     if (!has_all_off_surface(old_boundary, boundary, task.freedom))
-      return "a facet off the free surface has been opened";
+      return "a facet at a fixed node, off the free surface, has been opened";
 
     const double volume = volume_of(mesh_before, before), new_volume = volume_of(mesh_after, after);
     if (!(std::abs(new_volume + report.peeled_volume - volume) <= 1e-12 * volume))

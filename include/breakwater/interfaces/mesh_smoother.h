@@ -15,7 +15,7 @@ namespace Breakwater
     fixed,             ///< stays: corners of walls, bent walls, interface, inflow
     slides_on_line,    ///< on the line where a flat wall meets the free surface or another wall: along the wall, too
     slides_on_wall,    ///< on one flat wall
-    slides_on_surface, ///< on the free surface; only facets with such a node, or between lines, may be opened
+    slides_on_surface, ///< on the free surface
     free               ///< anywhere, as long as no cell is inverted: inside
   };
 
@@ -74,9 +74,8 @@ namespace Breakwater
 
   /// Checks what every smoother owes: no cell is inverted (the smallest signed insphere radius is not negative, or at
   /// least what it was), fixed nodes stay, every node keeps a cell, `boundary` is that of the cells and the same as
-  /// before except for peeled cells, facets without a
-  /// node that slides on the surface, and not all of whose nodes slide on lines, stay even so, and the volume is kept to round-off but
-  /// for that of peeled cells.
+  /// before except for peeled cells, facets with a fixed node and none on the surface stay even so, and the volume is
+  /// kept to round-off but for that of peeled cells.
   /// @return the first violation in words, empty if there is none
   template <int dim>
   std::string smoothing_violation(const SimplexMesh<dim> &mesh_before, const std::vector<Vec<dim>> &before,
