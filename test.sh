@@ -9,7 +9,7 @@ if [ "${1:-}" = --benchmarks ]; then
   packages="$packages libbenchmark-dev"
   install_missing
   [ ! -f "$root/build/build.ninja" ] || cmake "$root/build" >/dev/null # the library may be new
-  prepare fluid_benchmark
+  prepare fluid_benchmark smoothing_benchmark
   exec "$root/build/tests/bin/fluid_benchmark" ${2:+--benchmark_filter="$2"} "${@:3}"
 fi
 
