@@ -32,9 +32,18 @@ namespace Breakwater
     shift_to_centroids();
     adopted_.update_normals();
     // A node on a facet between two nodes of a body has hardly a volume, and nothing keeps it from passing through.
-    constexpr double      clearance = 0.25;
-    std::vector<Vec<dim>> impulse(nodes_.n_interface);
+    constexpr double        clearance = 0.25;
+    std::vector<Vec<dim>>   impulse(nodes_.n_interface);
+    const std::vector<Quad> before_push = nodes_.xp;
     record.n_pushed_out = adopted_.push_out(nodes_, 2 * parameters_.spacing, clearance * parameters_.spacing, impulse);
+    for (std::size_t i = nodes_.n_interface; i < nodes_.n; ++i)
+      {
+        Vec<dim> x_old;
+        std::copy_n(before_push[i].c, dim, x_old.c);
+        if (norm(nodes_.position(i) - x_old) > 0) // not through a wall
+          n_wall_stops_ +=
+            parameters_.walls.stop(x_old, nodes_.xp[i].c, nodes_.v[i].c, nodes_.mass[i], nodes_.contacts[i]);
+      }
     n_pushed_out_ += record.n_pushed_out;
 
     const double volume_before = mesh_volume();
