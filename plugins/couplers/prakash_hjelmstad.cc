@@ -65,6 +65,7 @@ namespace Breakwater
         last_change_.assign(this->problem_.places().size(), {});
       }
     this->choose_coarse_domains();
+    this->problem_.reset_iterations();
     const auto           schedule    = this->plan_steps(max_time_step);
     const double         coarse_step = schedule.coarse_step;
     std::vector<Vectors> free_velocity(this->sides_.size());

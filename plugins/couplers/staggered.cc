@@ -27,7 +27,15 @@ namespace Breakwater
     Base::adopt_surfaces(domains, ties);
     const unsigned int second = ties[0].second;
     follower_                 = this->has_adopted(second) ? second : ties[0].first;
-    leader().is_coarse        = true;
+    choose_coarse_domains();
+  }
+
+
+  template <int dim>
+  void Staggered<dim>::choose_coarse_domains()
+  {
+    leader().is_coarse   = true;
+    follower().is_coarse = false;
   }
 
 

@@ -67,7 +67,7 @@ namespace Breakwater
     /// What the run says of the coupler.
     virtual std::string description() const = 0;
 
-    void         choose_coarse_domains();
+    virtual void choose_coarse_domains();
     Schedule     plan_steps(double max_time_step) const;
     unsigned int n_remaining_substeps(const Schedule &schedule, double remaining) const;
     double       smallest_bound(bool of_coarse) const;

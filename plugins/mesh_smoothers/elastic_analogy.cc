@@ -24,7 +24,7 @@ namespace Breakwater
       }
 
       bool                             empty() const { return nodes_.empty(); }
-      const std::vector<unsigned int> &nodes() const { return nodes_; } ///< the first of the worst cells
+      const std::vector<unsigned int> &nodes() const { return nodes_; } ///< those of the worst cells first
 
       /// Displacement of a node of the list [m].
       Vec<dim> displacement(const std::size_t k) const { return u_[k + 1] * mesh_.spacing(); }

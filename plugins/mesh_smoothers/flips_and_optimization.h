@@ -8,8 +8,9 @@ namespace Breakwater
   /// free surface are taken away. The fluid needs a valid mesh, not a Delaunay one.
   ///
   /// A first pass makes flips only. The following ones take the bad cells, the worst first: flip, else move the cell's
-  /// nodes (NodeStep), and at the end of the pass peel what is left (Peel). It ends when no cell is below the target, or
-  /// nothing has changed. Nodes go at most 0.5 h from where they were, on the boundary 0.3 h.
+  /// nodes (NodeStep), else, where few cells are bad, the nodes of its hardly better neighbours, and at the end of the
+  /// pass peel what is left (Peel). It ends when no cell is below the target, or nothing has changed. Nodes go at most
+  /// 0.5 h from where they were, on the free surface 0.3 h.
   template <int dim>
   class FlipsAndOptimization : public MeshSmoother<dim>
   {

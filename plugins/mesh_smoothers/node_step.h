@@ -31,7 +31,6 @@ namespace Breakwater
     double model_step(double proximal, double smallest, Vec<dim> &step) const;
 
     StarMesh<dim>                                &mesh_;
-    const std::vector<Vec<dim>>                   start_; ///< places before all moves [m]
     std::vector<double>                           r_, new_r_;
     std::vector<Vec<dim>>                         gradient_; ///< of r by the node's place in units of the spacing [-]
     std::vector<typename SimplexMesh<dim>::Facet> facets_;

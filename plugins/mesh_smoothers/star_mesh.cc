@@ -79,15 +79,6 @@ namespace Breakwater
 
 
   template <int dim>
-  void StarMesh<dim>::move(const unsigned int node, const Vec<dim> &x)
-  {
-    position_[node] = x;
-    for (const unsigned int c : star(node))
-      r_[c] = quality(corners_of(c));
-  }
-
-
-  template <int dim>
   void StarMesh<dim>::replace(const std::vector<unsigned int> &old_cells, const std::vector<Cell> &new_cells,
                               std::vector<unsigned int> &numbers)
   {

@@ -66,7 +66,6 @@ namespace Breakwater
     /// Puts a node elsewhere.
     /// @param r of the cells of its star there, in their order
     void move(unsigned int node, const Vec<dim> &x, const std::vector<double> &r);
-    void move(unsigned int node, const Vec<dim> &x);
 
     /// Moves a node by what its freedom allows of a displacement [m], if every cell of its star keeps its r or stays
     /// above `least`, and no facet of the boundary turns over. @return whether it has moved

@@ -34,7 +34,7 @@ namespace Breakwater
     double divergence = 0; ///< of what deviates from the mean divergence around [-]
   };
 
-  /// The loops over cells, compiled once per instruction set (element_passes.cc). Cells are arrays [cell][dim + 1].
+  /// The loops over cells, compiled once per instruction set (element_passes.cc, stress_passes.cc, filter_pass.cc). Cells are arrays [cell][dim + 1].
   struct ElementPasses
   {
     void (*volumes)(const unsigned int *cells, std::size_t n_cells, const Quad *xp, double *volume);

@@ -43,7 +43,7 @@ namespace Breakwater
     order_cells<dim>(mesh_.cells, nodes_.n);
     move_to_smoothed(position);
     report.seconds       = timer.seconds();
-    record.quality_after = mesh_quality<dim>(mesh_, position, parameters_.spacing);
+    record.quality_after = mesh_quality<dim>(mesh_, nodes_.positions(), parameters_.spacing);
   }
 
 

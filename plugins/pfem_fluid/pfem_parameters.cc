@@ -122,7 +122,7 @@ namespace Breakwater
                  {0., 1.});
       reader.add("Density diffusion period", diffusion_period,
                  "Longest time from one use of the diffusion to the next, in units of the spacing over the speed of "
-                 "sound [-]; 0: it is used at each step.",
+                 "sound [-], and at most 1 / xi; 0: it is used at each step.",
                  {0., 2.});
       reader.add("Velocity filter", filter_weight,
                  "Part of the velocity's deviation from a locally linear field that is taken away [-]; 0: none.",

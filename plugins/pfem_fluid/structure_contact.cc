@@ -170,6 +170,8 @@ namespace Breakwater
     unsigned int n_pushed = 0;
     for (std::size_t i = nodes.n_interface; i < nodes.n; ++i)
       {
+        if (nodes.is_driven(i))
+          continue;
         const Vec<dim> x         = nodes.position(i);
         const bool     is_inside = std::any_of(boxes.begin(), boxes.end(), [&x](const auto &box) {
           bool inside = true;

@@ -38,7 +38,10 @@ namespace Breakwater
     bool accepts(const Cell &cell, const FluidNodes<dim> &nodes) const;
 
     /// Puts fluid nodes that have come inside the body, or closer to it than `clearance` [m], to that distance, and
-    /// takes the normal velocity into it of those that were inside. That momentum is added to `impulse` [kg m/s] at the interface nodes. @return how many nodes were put back
+    /// takes the normal velocity into it of those that were inside. That momentum is added to `impulse` [kg m/s] at
+    /// the interface nodes.
+    /// @param largest_depth inside the body up to which a node is found [m]
+    /// @return how many nodes were inside
     unsigned int push_out(FluidNodes<dim> &nodes, double largest_depth, double clearance,
                           std::vector<Vec<dim>> &impulse) const;
 

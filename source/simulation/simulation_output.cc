@@ -16,7 +16,7 @@ namespace Breakwater
   {
     namespace fs = std::filesystem;
 
-    const std::string checkpoint_format = "breakwater checkpoint 1";
+    const std::string checkpoint_format = "breakwater checkpoint 2";
 
     /// The checkpoint's file: of the last one, or of the one before if the run was stopped between two renamings.
     fs::path checkpoint_file(const fs::path &directory)

@@ -244,7 +244,7 @@ namespace Breakwater
   {
     PhaseTimer        timer(*context_, Phase::structure);
     const std::size_t n_nodes = displacement_.size();
-    act(0.5 * time_step);
+    act(0.5 * (time_step_ + time_step)); // with the rest of a step that no end_step() has ended
     std::fill(link_force_.begin(), link_force_.end(), Vec<dim>());
     time_step_ = time_step;
     for (std::size_t i = 0; i < n_nodes; ++i)
@@ -287,7 +287,7 @@ namespace Breakwater
         if (!(excess > 0))
           continue;
         velocity_[i] += excess * stop.normal;
-        add_load(i, inertia_[i] * excess * stop.normal);
+        add_load(i, mass_[i] * excess * stop.normal); // of the whole body, as in act()
       }
   }
 
@@ -367,6 +367,7 @@ namespace Breakwater
   {
     PhaseTimer timer(*context_, Phase::structure);
     act(0.5 * time_step_);
+    time_step_ = 0;
     bound_frequency();
     context_->set_summary_max(name_ + " largest compression of a cell [-]", 1 - smallest_volume_ratio_);
   }

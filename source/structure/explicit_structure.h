@@ -97,7 +97,7 @@ namespace Breakwater
     Load                             load_;       ///< since the last row of the history
 
     double                time_             = 0;      ///< [s]
-    double                time_step_        = 0;      ///< the last one [s]
+    double                time_step_        = 0;      ///< of the step that end_step() has not ended yet, else 0 [s]
     double                time_of_last_row_ = 0;      ///< of the history [s]
     std::vector<Vec<dim>> displacement_;              ///< [m]
     std::vector<Vec<dim>> velocity_;                  ///< [m/s]

@@ -113,11 +113,12 @@ namespace Breakwater
     read_binary(stream, eigenvalues_.direction);
     read_binary(stream, eigenvalues_.metric);
     if (displacement_.size() != n_nodes || velocity_.size() != n_nodes || acceleration_.size() != n_nodes ||
-        eigenvalues_.direction.size() != n_directions)
-      throw InputError(name_ +
-                       ": the checkpoint holds another mesh: was the scene's mesh changed since it was written?");
+        eigenvalues_.direction.size() != n_directions || link_force_.size() != wet_nodes_.size())
+      throw InputError(name_ + ": the checkpoint holds another mesh: was the scene's mesh or its wet boundaries "
+                               "changed since it was written?");
     for (std::size_t i = 0; i < position_.size(); ++i)
       position_[i] = mesh_.nodes[i] + displacement_[i];
+    time_step_ = 0;
     update_wet_surface();
   }
 

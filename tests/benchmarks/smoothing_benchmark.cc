@@ -214,7 +214,12 @@ namespace
   /// @param text "smoother=target", or several smoothers joined by +
   void run(const std::string &text, const double n_nodes, const unsigned int n_remeshes)
   {
-    const std::size_t                             end    = text.find('=');
+    const std::size_t end = text.find('=');
+    if (end == std::string::npos)
+      {
+        std::fprintf(stderr, "'%s' has no target: write smoother=target, as in getme=0.2\n", text.c_str());
+        std::exit(1);
+      }
     const double                                  target = std::stod(text.substr(end + 1));
     std::vector<std::unique_ptr<MeshSmoother<3>>> smoothers;
     std::istringstream                            names(text.substr(0, end));

@@ -38,11 +38,11 @@ namespace Breakwater
   struct SmoothingReport
   {
     unsigned int n_moved_nodes  = 0;
-    unsigned int n_flips        = 0; ///< of edges and facets
+    unsigned int n_flips        = 0; ///< of edges
     unsigned int n_peeled_cells = 0; ///< taken off the surface
     double       mean_move      = 0; ///< of the moved nodes [m]
     double       largest_move   = 0; ///< [m]
-    double       peeled_volume  = 0; ///< of those [m^dim]
+    double       peeled_volume  = 0; ///< of the peeled cells [m^dim]
     double       volume_change  = 0; ///< of the mesh [m^dim]
     double       seconds        = 0; ///< CPU time
   };

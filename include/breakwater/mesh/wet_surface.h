@@ -23,6 +23,6 @@ namespace Breakwater
     std::vector<Vec<dim>>                                  inverse_mass; ///< [1/kg], 0 in a direction that is held
     std::vector<double>                                    mass;         ///< [kg], held or not
     std::vector<std::array<unsigned int, nodes_per_facet>> facets;
-    unsigned int                                           revision = 0; ///< grows when nodes or facets change
+    unsigned int                                           revision = 0; ///< grows when nodes, facets or masses change
   };
 } // namespace Breakwater
