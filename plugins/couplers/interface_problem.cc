@@ -60,7 +60,7 @@ namespace Breakwater
     for (std::size_t k = 0; k < surfaces.size(); ++k)
       {
         revision.push_back(surfaces[k]->revision);
-        is_same = is_same && revision[k] == revision_[k] && std::abs(factor[k] - relative_factor_[k]) < 1e-13;
+        is_same = is_same && revision[k] == revision_[k] && factor[k] == relative_factor_[k];
       }
     if (is_same)
       return;
@@ -111,7 +111,12 @@ namespace Breakwater
     const double        largest = *std::max_element(factor.begin(), factor.end());
     std::vector<double> relative(factor), right_side(places_.size()), solution(places_.size());
     for (double &c : relative)
-      c /= largest;
+      {
+        // To 44 bits: round-off in the steps must not change H, neither now nor after a restart.
+        int exponent = 0;
+        c            = std::frexp(c / largest, &exponent);
+        c            = std::ldexp(std::round(std::ldexp(c, 44)), exponent - 44);
+      }
     update_matrices(surfaces, relative);
     for (int d = 0; d < dim; ++d)
       {

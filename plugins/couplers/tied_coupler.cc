@@ -199,7 +199,7 @@ namespace Breakwater
         const TiedPlace::Entry &first = problem_.places()[r].entries[0];
         const Vec<dim>         &x     = (*position[first.domain])[first.node];
         largest_coordinate_           = std::max(largest_coordinate_, norm(x));
-        if (norm(gap[r]) > 1e-10 * std::max(extent(*position[first.domain]), norm(x)))
+        if (norm(gap[r]) > 1e-9 * std::max(extent(*position[first.domain]), norm(x)))
           throw std::logic_error("nodes that are tied lie apart");
       }
   }

@@ -124,12 +124,16 @@ namespace Breakwater
   template <int dim>
   void DomainGroup<dim>::check_joint_velocities() const
   {
+    double speed = 0;
+    for (unsigned int m = 0; m < members_.size(); ++m)
+      for (const Vec<dim> &v : members_[m].domain->wet_surface().velocity)
+        speed = std::max(speed, norm(v));
     for (const unsigned int n : joined_)
       for (const Slot &slot : nodes_[n])
         {
           const Slot    &first = nodes_[n].front();
           const Vec<dim> gap   = surface_of(slot).velocity[slot.node] - surface_of(first).velocity[first.node];
-          if (norm(gap) > 1e-12 * norm(surface_of(slot).velocity[slot.node]))
+          if (norm(gap) > 1e-12 * speed)
             throw InputError("\"" + members_[first.member].name + "\" and \"" + members_[slot.member].name +
                              "\" are tied to each other, but at time 0 they move apart by " +
                              std::to_string(norm(gap)) + " m/s. Give them one initial velocity where they touch.");
