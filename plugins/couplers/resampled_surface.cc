@@ -334,34 +334,6 @@ namespace Breakwater
 
 
   template <int dim>
-  std::vector<std::array<unsigned int, 2>> nodes_at_same_places(const std::vector<Vec<dim>> &first,
-                                                                const std::vector<Vec<dim>> &second)
-  {
-    const double              tolerance = 1e-9 * std::max({extent(first), extent(second), norm(first.front())});
-    std::vector<unsigned int> by_x(second.size());
-    std::iota(by_x.begin(), by_x.end(), 0u);
-    std::sort(by_x.begin(), by_x.end(), [&](const unsigned int a, const unsigned int b) {
-      return second[a][0] < second[b][0];
-    });
-    std::vector<std::array<unsigned int, 2>> pairs;
-    for (unsigned int i = 0; i < first.size(); ++i)
-      {
-        const auto start = std::lower_bound(by_x.begin(), by_x.end(), first[i][0] - tolerance,
-                                            [&](const unsigned int a, const double x) {
-                                              return second[a][0] < x;
-                                            });
-        for (auto j = start; j != by_x.end() && second[*j][0] <= first[i][0] + tolerance; ++j)
-          if (norm(second[*j] - first[i]) <= tolerance)
-            {
-              pairs.push_back({i, *j});
-              break;
-            }
-      }
-    return pairs;
-  }
-
-
-  template <int dim>
   double extent(const std::vector<Vec<dim>> &position)
   {
     Vec<dim> lower = position.front(), upper = position.front();
@@ -375,14 +347,12 @@ namespace Breakwater
   }
 
 
-#define BREAKWATER_INSTANTIATE(dim)                                                                                    \
-  template ResampledSurface<dim> copy_of_surface<dim>(const WetSurface<dim> &);                                        \
-  template ResampledSurface<dim> resample_surface<dim>(const WetSurface<dim> &, double);                               \
-  template void share_mass<dim>(const WetSurface<dim> &, const ResampledSurface<dim> &, double, std::vector<double> &, \
+#define BREAKWATER_INSTANTIATE(dim)                                                                                      \
+  template ResampledSurface<dim> copy_of_surface<dim>(const WetSurface<dim> &);                                          \
+  template ResampledSurface<dim> resample_surface<dim>(const WetSurface<dim> &, double);                                 \
+  template void   share_mass<dim>(const WetSurface<dim> &, const ResampledSurface<dim> &, double, std::vector<double> &, \
                                 std::vector<double> &);                                                                \
-  template std::vector<std::array<unsigned int, 2>> nodes_at_same_places<dim>(const std::vector<Vec<dim>> &,           \
-                                                                              const std::vector<Vec<dim>> &);          \
-  template double                                   extent<dim>(const std::vector<Vec<dim>> &);
+  template double extent<dim>(const std::vector<Vec<dim>> &);
   BREAKWATER_INSTANTIATE(2)
   BREAKWATER_INSTANTIATE(3)
 } // namespace Breakwater

@@ -40,11 +40,6 @@ namespace Breakwater
   void share_mass(const WetSurface<dim> &owner, const ResampledSurface<dim> &resampled, double share,
                   std::vector<double> &carried, std::vector<double> &lent);
 
-  /// Pairs of nodes that lie at the same places, in the order of the first ones.
-  template <int dim>
-  std::vector<std::array<unsigned int, 2>> nodes_at_same_places(const std::vector<Vec<dim>> &first,
-                                                                const std::vector<Vec<dim>> &second);
-
   /// Length of the diagonal of the box around places [m].
   template <int dim>
   double extent(const std::vector<Vec<dim>> &position);

@@ -5,6 +5,7 @@
 #include <breakwater/base/binary_stream.h>
 #include <breakwater/base/exceptions.h>
 #include <breakwater/base/parameter_reader.h>
+#include <breakwater/mesh/common_nodes.h>
 
 #include <algorithm>
 #include <cmath>
@@ -139,13 +140,16 @@ namespace Breakwater
     const std::string      who = "Coupling \"" + domains.name + "\": ";
     if (second.position.empty() || first.position.empty())
       throw InputError(who + "a domain has no wet surface, so there is nothing to tie.");
-    const std::vector<std::array<unsigned int, 2>> pairs = nodes_at_same_places(first.position, second.position);
+    const double tolerance =
+      1e-9 * std::max({extent(first.position), extent(second.position), norm(first.position.front())});
+    const auto pairs = common_nodes(first.position, second.position, tolerance);
     if (pairs.empty())
       throw InputError(who +
                        "no node of one wet surface lies on a node of the other. Domains that keep their own nodes "
                        "are tied where these are at the same places.");
-    for (const auto &[i, j] : pairs)
-      places.push_back({{{domains.first, i, 1.}, {domains.second, j, -1.}}, tie});
+    for (std::size_t k = 0; k < pairs.size(); ++k)
+      if (k == 0 || pairs[k].first != pairs[k - 1].first) // each node of the first domain once
+        places.push_back({{{domains.first, pairs[k].first, 1.}, {domains.second, pairs[k].second, -1.}}, tie});
   }
 
 

@@ -1,11 +1,11 @@
 #include <breakwater/base/exceptions.h>
+#include <breakwater/mesh/common_nodes.h>
 #include <breakwater/simulation/domain_group.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
-#include <numeric>
 #include <set>
 #include <stdexcept>
 
@@ -14,7 +14,7 @@ namespace Breakwater
   namespace
   {
     template <int dim>
-    double extent(const std::vector<Vec<dim>> &position)
+    double largest_distance_from_origin(const std::vector<Vec<dim>> &position)
     {
       double largest = 0;
       for (const Vec<dim> &x : position)
@@ -25,27 +25,10 @@ namespace Breakwater
 
 
   template <int dim>
-  std::vector<std::pair<unsigned int, unsigned int>> common_nodes(const std::vector<Vec<dim>> &a,
-                                                                  const std::vector<Vec<dim>> &b)
+  std::vector<std::pair<unsigned int, unsigned int>> joint_nodes(const std::vector<Vec<dim>> &a,
+                                                                 const std::vector<Vec<dim>> &b)
   {
-    const double              tolerance = 1e-10 * std::max(extent(a), extent(b));
-    std::vector<unsigned int> by_x(b.size());
-    std::iota(by_x.begin(), by_x.end(), 0u);
-    std::sort(by_x.begin(), by_x.end(), [&b](const unsigned int i, const unsigned int j) {
-      return b[i][0] < b[j][0];
-    });
-    std::vector<std::pair<unsigned int, unsigned int>> pairs;
-    for (unsigned int i = 0; i < a.size(); ++i)
-      {
-        auto candidate =
-          std::lower_bound(by_x.begin(), by_x.end(), a[i][0] - tolerance, [&b](const unsigned int j, const double x) {
-            return b[j][0] < x;
-          });
-        for (; candidate != by_x.end() && b[*candidate][0] <= a[i][0] + tolerance; ++candidate)
-          if (norm(a[i] - b[*candidate]) <= tolerance)
-            pairs.emplace_back(i, *candidate);
-      }
-    return pairs;
+    return common_nodes(a, b, 1e-10 * std::max(largest_distance_from_origin(a), largest_distance_from_origin(b)));
   }
 
 
@@ -93,7 +76,7 @@ namespace Breakwater
           const bool are_joined = std::any_of(joints_.begin(), joints_.end(), [a, b](const Joint &joint) {
             return joint == Joint(a, b) || joint == Joint(b, a);
           });
-          const auto pairs      = common_nodes(surface_of(a).position, surface_of(b).position);
+          const auto pairs      = joint_nodes(surface_of(a).position, surface_of(b).position);
           if (are_joined && pairs.empty())
             throw InputError("\"" + members_[a].name + "\" and \"" + members_[b].name +
                              "\" are tied to each other, but their wet boundaries have no node in common. Let them "
@@ -428,8 +411,8 @@ namespace Breakwater
 
   template class DomainGroup<2>;
   template class DomainGroup<3>;
-  template std::vector<std::pair<unsigned int, unsigned int>> common_nodes<2>(const std::vector<Vec<2>> &,
-                                                                              const std::vector<Vec<2>> &);
-  template std::vector<std::pair<unsigned int, unsigned int>> common_nodes<3>(const std::vector<Vec<3>> &,
-                                                                              const std::vector<Vec<3>> &);
+  template std::vector<std::pair<unsigned int, unsigned int>> joint_nodes<2>(const std::vector<Vec<2>> &,
+                                                                             const std::vector<Vec<2>> &);
+  template std::vector<std::pair<unsigned int, unsigned int>> joint_nodes<3>(const std::vector<Vec<3>> &,
+                                                                             const std::vector<Vec<3>> &);
 } // namespace Breakwater

@@ -263,7 +263,7 @@ namespace Breakwater
     others.erase(std::find(others.begin(), others.end(), first_name));
     DomainGroup<dim> &first = make_group({first_name}, second_name), &second = make_group(others, first_name);
 
-    const auto                pairs = common_nodes(first.wet_surface().position, second.wet_surface().position);
+    const auto                pairs = joint_nodes(first.wet_surface().position, second.wet_surface().position);
     std::vector<unsigned int> of_first, of_second;
     for (const auto &[i, j] : pairs)
       {

@@ -93,8 +93,9 @@ namespace Breakwater
     std::vector<std::vector<Vec<dim>>> forces_; ///< work: [member][node of its wet surface] [N]
   };
 
-  /// Pairs of nodes (number in a, number in b) that are closer than 1e-10 of the larger surface's extent.
+  /// Pairs of nodes (number in a, number in b) that move as one at a joint: they are closer than 1e-10 of the largest
+  /// distance of any node from the origin.
   template <int dim>
-  std::vector<std::pair<unsigned int, unsigned int>> common_nodes(const std::vector<Vec<dim>> &a,
-                                                                  const std::vector<Vec<dim>> &b);
+  std::vector<std::pair<unsigned int, unsigned int>> joint_nodes(const std::vector<Vec<dim>> &a,
+                                                                 const std::vector<Vec<dim>> &b);
 } // namespace Breakwater
