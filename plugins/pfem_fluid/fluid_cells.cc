@@ -50,10 +50,11 @@ namespace Breakwater
         const Vec<dim> x    = nodes.position(i);
         const double   size = parameters.size(x);
         near_walls_[i]      = parameters.walls.faces_at(x, 0.5 * size);
-        // An edge of a cell, at most twice the circumradius long, passes through surfaces close to one of its ends only.
-        near_surface_[i] = any_has_surface && !parameters.walls.are_far(x, parameters.alpha * size);
-        is_held_[i]      = !nodes.walls[i].empty() || is_interface(i);
-        is_delicate_[i]  = near_surface_[i] || is_interface(i) || is_inside;
+        // An edge of a cell, at most twice this length, passes through surfaces close to one of its ends only.
+        const double reach = std::max(parameters.alpha, parameters.alpha_of_fluid) * size;
+        near_surface_[i]   = any_has_surface && !parameters.walls.are_far(x, reach);
+        is_held_[i]        = !nodes.walls[i].empty() || is_interface(i);
+        is_delicate_[i]    = near_surface_[i] || is_interface(i) || is_inside;
       }
   }
 
