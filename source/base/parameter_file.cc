@@ -311,23 +311,23 @@ namespace Breakwater
         return titles;
       }
 
-      [[noreturn]] void fail(const std::string &name, const std::string &message) const override
+      std::string where(const std::string &name) const override
       {
         const std::string what = section_text(path_) + (name.empty() ? "" : ", entry \"" + name + "\"");
         if (name.empty())
           {
             for (const ParameterText::Section &section : text_.sections)
               if (key_of(section.path) == key_of(path_))
-                throw InputError(section.place + ": " + what + ": " + message);
-            throw InputError(text_.name + ": " + what + ": " + message);
+                return section.place + ": " + what;
+            return text_.name + ": " + what;
           }
         if (const ParameterText::Entry *entry = text_.find(path_, name))
-          throw InputError(entry->place + ": " + what + ", value \"" + entry->value + "\": " + message);
+          return entry->place + ": " + what + ", value \"" + entry->value + "\"";
         const auto        default_value = defaults_.find(key_of(path_, name));
         const std::string not_set       = default_value == defaults_.end() || default_value->second.empty() ?
                                             " (not set)" :
                                             " (not set; its default is \"" + default_value->second + "\")";
-        throw InputError(text_.name + ": " + what + not_set + ": " + message);
+        return text_.name + ": " + what + not_set;
       }
 
       const PluginRegistry &registry() const override { return registry_; }

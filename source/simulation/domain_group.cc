@@ -1,6 +1,7 @@
 #include <breakwater/base/exceptions.h>
 #include <breakwater/mesh/common_nodes.h>
 #include <breakwater/simulation/domain_group.h>
+#include <breakwater/simulation/ties.h>
 
 #include <algorithm>
 #include <cmath>
@@ -33,9 +34,29 @@ namespace Breakwater
 
 
   template <int dim>
-  DomainGroup<dim>::DomainGroup(std::vector<Member> members, std::vector<Joint> joints)
+  void share_stops(const std::vector<DomainNode<dim>> &nodes)
+  {
+    const auto same = [](const Vec<dim> &a, const Vec<dim> &b) {
+      return std::equal(a.c, a.c + dim, b.c);
+    };
+    std::vector<Stop<dim>> all;
+    for (const DomainNode<dim> &node : nodes)
+      for (const Stop<dim> &stop : node.domain->stops(node.node))
+        if (std::none_of(all.begin(), all.end(), [&](const Stop<dim> &other) {
+              return same(stop.place, other.place) && same(stop.normal, other.normal);
+            }))
+          all.push_back(stop);
+    if (!all.empty())
+      for (const DomainNode<dim> &node : nodes)
+        node.domain->set_stops(node.node, all);
+  }
+
+
+  template <int dim>
+  DomainGroup<dim>::DomainGroup(std::vector<Member> members, std::vector<Joint> joints, std::string ties)
     : members_(std::move(members))
     , joints_(std::move(joints))
+    , ties_(std::move(ties))
   {
   }
 
@@ -50,6 +71,7 @@ namespace Breakwater
       forces_.emplace_back(surface_of(m).position.size());
     join_nodes();
     check_joint_velocities();
+    share_stops();
     balance_joints(0.);
     make_surface();
     if (!joints_.empty())
@@ -78,15 +100,12 @@ namespace Breakwater
           });
           const auto pairs      = joint_nodes(surface_of(a).position, surface_of(b).position);
           if (are_joined && pairs.empty())
-            throw InputError("\"" + members_[a].name + "\" and \"" + members_[b].name +
-                             "\" are tied to each other, but their wet boundaries have no node in common. Let them "
-                             "touch with equal cells there; the boundaries must be wet in both, and not clamped in "
-                             "both.");
+            fail_without_common_node(ties_, members_[a].name, members_[b].name);
           if (!are_joined && !pairs.empty() && members_[a].is_exposed && members_[b].is_exposed)
-            throw InputError("\"" + members_[a].name + "\" and \"" + members_[b].name + "\" touch at " +
-                             std::to_string(pairs.size()) +
-                             " nodes but are not tied to each other. Tie them in "
-                             "\"Coupling/Ties\", or leave a gap of more than the fluid's spacing.");
+            throw InputError(ties_ + ": \"" + members_[a].name + "\" and \"" + members_[b].name + "\" touch at " +
+                             std::to_string(pairs.size()) + " nodes but are not tied to each other; add \"" +
+                             members_[a].name + " and " + members_[b].name +
+                             "\", or leave a gap of more than the fluid's spacing");
           for (const auto &[i, j] : are_joined ? pairs : decltype(pairs)())
             {
               Node &node = nodes_[node_of_slot_[a][i]], &other = nodes_[node_of_slot_[b][j]];
@@ -117,10 +136,23 @@ namespace Breakwater
           const Slot    &first = nodes_[n].front();
           const Vec<dim> gap   = surface_of(slot).velocity[slot.node] - surface_of(first).velocity[first.node];
           if (norm(gap) > 1e-12 * speed)
-            throw InputError("\"" + members_[first.member].name + "\" and \"" + members_[slot.member].name +
+            throw InputError(ties_ + ": \"" + members_[first.member].name + "\" and \"" + members_[slot.member].name +
                              "\" are tied to each other, but at time 0 they move apart by " +
-                             std::to_string(norm(gap)) + " m/s. Give them one initial velocity where they touch.");
+                             std::to_string(norm(gap)) + " m/s; give them one initial velocity where they touch");
         }
+  }
+
+
+  template <int dim>
+  void DomainGroup<dim>::share_stops()
+  {
+    for (const unsigned int n : joined_)
+      {
+        std::vector<DomainNode<dim>> nodes;
+        for (const Slot &slot : nodes_[n])
+          nodes.push_back({members_[slot.member].domain, slot.node});
+        Breakwater::share_stops(nodes);
+      }
   }
 
 
@@ -369,6 +401,22 @@ namespace Breakwater
 
 
   template <int dim>
+  std::vector<Stop<dim>> DomainGroup<dim>::stops(const unsigned int node) const
+  {
+    const Slot &first = nodes_[exposed_[node]].front();
+    return members_[first.member].domain->stops(first.node);
+  }
+
+
+  template <int dim>
+  void DomainGroup<dim>::set_stops(const unsigned int node, const std::vector<Stop<dim>> &stops)
+  {
+    for (const Slot &slot : nodes_[exposed_[node]])
+      members_[slot.member].domain->set_stops(slot.node, stops);
+  }
+
+
+  template <int dim>
   DomainBalance<dim> DomainGroup<dim>::balance() const
   {
     DomainBalance<dim> sum;
@@ -409,6 +457,8 @@ namespace Breakwater
     update_surface();
   }
 
+  template void share_stops<2>(const std::vector<DomainNode<2>> &);
+  template void share_stops<3>(const std::vector<DomainNode<3>> &);
   template class DomainGroup<2>;
   template class DomainGroup<3>;
   template std::vector<std::pair<unsigned int, unsigned int>> joint_nodes<2>(const std::vector<Vec<2>> &,

@@ -153,7 +153,7 @@ namespace Breakwater
   }
 
   template <int dim>
-  void Simulation<dim>::check_bodies(ParameterReader &reader) const
+  void Simulation<dim>::check_bodies(ParameterReader &reader)
   {
     if (fluid_.empty() && structures_.empty())
       reader.fail("", "there is nothing to simulate; name a fluid (Fluid/Model) or a structure (Structures)");
@@ -168,7 +168,7 @@ namespace Breakwater
   }
 
   template <int dim>
-  void Simulation<dim>::check_coupling(ParameterReader &reader) const
+  void Simulation<dim>::check_coupling(ParameterReader &reader)
   {
     const bool   has_both = !fluid_.empty() && !structures_.empty();
     SectionScope scope(reader, "Coupling");
@@ -184,6 +184,7 @@ namespace Breakwater
     if (fluid_.size() + structures_.size() < 2)
       reader.fail("Model", std::string("there is no ") + (fluid_.empty() ? "second body" : "structure") +
                              " to couple; leave this entry out");
+    ties_place_ = reader.where("Ties");
     try
       {
         ties();
@@ -263,17 +264,18 @@ namespace Breakwater
     others.erase(std::find(others.begin(), others.end(), first_name));
     DomainGroup<dim> &first = make_group({first_name}, second_name), &second = make_group(others, first_name);
 
-    const auto                pairs = joint_nodes(first.wet_surface().position, second.wet_surface().position);
+    for (const TiedNames &tie : ties())
+      if ((tie.first == first_name || tie.second == first_name) &&
+          joint_nodes(structure(tie.first).wet_surface().position, structure(tie.second).wet_surface().position)
+            .empty())
+        fail_without_common_node(ties_place_, tie.first, tie.second);
     std::vector<unsigned int> of_first, of_second;
-    for (const auto &[i, j] : pairs)
+    for (const auto &[i, j] : joint_nodes(first.wet_surface().position, second.wet_surface().position))
       {
         of_first.push_back(i);
         of_second.push_back(j);
+        share_stops<dim>({{&first, i}, {&second, j}});
       }
-    if (pairs.empty())
-      throw InputError("\"" + first_name +
-                       "\" has no node in common with what is tied to it: let wet boundaries touch "
-                       "with equal cells.");
     first.keep_surface_nodes(of_first);
     second.keep_surface_nodes(of_second);
     sides_ = {&first, &second};
@@ -300,7 +302,7 @@ namespace Breakwater
           if (are_tied(names[k], names[m]))
             joints.emplace_back(k, m);
       }
-    groups_.push_back(std::make_unique<DomainGroup<dim>>(members, joints));
+    groups_.push_back(std::make_unique<DomainGroup<dim>>(members, joints, ties_place_));
     groups_.back()->setup("", body_forces_.plugins(), *context_);
     return *groups_.back();
   }

@@ -16,7 +16,7 @@ namespace Breakwater
   {
     namespace fs = std::filesystem;
 
-    const std::string checkpoint_format = "breakwater checkpoint 2";
+    const std::string checkpoint_format = "breakwater checkpoint 3";
 
     /// The checkpoint's file: of the last one, or of the one before if the run was stopped between two renamings.
     fs::path checkpoint_file(const fs::path &directory)
@@ -234,6 +234,37 @@ namespace Breakwater
   }
 
   template <int dim>
+  template <class AnySimulation, class Visitor>
+  void Simulation<dim>::visit_numbers(AnySimulation &simulation, const Visitor &visit)
+  {
+    visit(simulation.time_step_);
+    visit(simulation.kept_step_);
+    visit(simulation.n_fields_);
+    visit(simulation.n_histories_);
+    visit(simulation.last_fields_time_);
+    visit(simulation.last_history_time_);
+    visit(simulation.monitor_.initial_mass);
+    visit(simulation.monitor_.initial_potential_energy);
+    visit(simulation.monitor_.largest_mass_drift);
+  }
+
+
+  // Bodies are named, so that a wrong one is recognised.
+  template <int dim>
+  template <class AnySimulation, class Visitor>
+  void Simulation<dim>::visit_parts(AnySimulation &simulation, const Visitor &visit)
+  {
+    visit("", simulation.monitor_.energy_rise);
+    visit("", *simulation.context_);
+    visit("", *simulation.field_output_);
+    for (const NamedDomain &domain : simulation.domains_)
+      visit(domain.name, *domain.domain);
+    if (!simulation.coupler_.empty())
+      visit("", simulation.coupler_.front());
+  }
+
+
+  template <int dim>
   void Simulation<dim>::write_due_checkpoint()
   {
     const bool by_time = checkpoints_every_ > 0 && time_ - last_checkpoint_time_ >= checkpoints_every_ * (1 - 1e-9);
@@ -259,26 +290,14 @@ namespace Breakwater
       write_binary(stream, checkpoint_format);
       write_binary(stream, dim);
       write_binary(stream, time_);
-      write_binary(stream, time_step_);
-      write_binary(stream, kept_step_);
-      write_binary(stream, n_fields_);
-      write_binary(stream, n_histories_);
-      write_binary(stream, last_fields_time_);
-      write_binary(stream, last_history_time_);
       write_binary(stream, wall_seconds());
-      write_binary(stream, monitor_.initial_mass);
-      write_binary(stream, monitor_.initial_potential_energy);
-      write_binary(stream, monitor_.largest_mass_drift);
-      monitor_.energy_rise.save(stream);
-      context_->save(stream);
-      field_output_->save(stream);
-      for (const NamedDomain &domain : domains_)
-        {
-          write_binary(stream, domain.name);
-          domain.domain->save(stream);
-        }
-      if (!coupler_.empty())
-        coupler_.front().save(stream);
+      visit_numbers(*this, [&stream](const auto &number) {
+        write_binary(stream, number);
+      });
+      visit_parts(*this, [&stream](const std::string &name, const auto &part) {
+        write_binary(stream, name);
+        part.save(stream);
+      });
       write_binary(stream, checkpoint_format);
       stream.close();
       if (!stream)
@@ -296,32 +315,20 @@ namespace Breakwater
   {
     std::ifstream stream(checkpoint_file(context_->output_directory()), std::ios::binary);
     time_ = last_checkpoint_time_ = read_checkpoint_head(stream, dim);
-    read_binary(stream, time_step_);
-    read_binary(stream, kept_step_);
-    read_binary(stream, n_fields_);
-    read_binary(stream, n_histories_);
-    read_binary(stream, last_fields_time_);
-    read_binary(stream, last_history_time_);
     read_binary(stream, earlier_wall_seconds_);
-    read_binary(stream, monitor_.initial_mass);
-    read_binary(stream, monitor_.initial_potential_energy);
-    read_binary(stream, monitor_.largest_mass_drift);
-    monitor_.energy_rise.load(stream);
-    context_->load(stream);
-    field_output_->load(stream);
-    for (const NamedDomain &domain : domains_)
-      {
-        std::string name;
-        read_binary(stream, name);
-        if (name != domain.name)
-          throw InputError("--resume: the checkpoint has the body \"" + name + "\" where the scene has \"" +
-                           domain.name + "\"");
-        domain.domain->load(stream);
-      }
+    visit_numbers(*this, [&stream](auto &number) {
+      read_binary(stream, number);
+    });
+    visit_parts(*this, [&stream](const std::string &name, auto &part) {
+      std::string saved_name;
+      read_binary(stream, saved_name);
+      if (saved_name != name)
+        throw InputError("--resume: the checkpoint has the body \"" + saved_name + "\" where the scene has \"" + name +
+                         "\"");
+      part.load(stream);
+    });
     for (const auto &group : groups_)
       group->refresh();
-    if (!coupler_.empty())
-      coupler_.front().load(stream);
     std::string end;
     read_binary(stream, end);
     if (end != checkpoint_format)

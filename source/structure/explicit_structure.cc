@@ -133,7 +133,7 @@ namespace Breakwater
         is_wet_ = parse_boundaries<dim>(wet_names_);
     });
     check("Stops", [&] {
-      stops_ = parse_stops<dim>(stops_text_);
+      stop_lists_ = {parse_stops<dim>(stops_text_)};
     });
     check("Initial velocity", [&] {
       evaluate_vectors<dim>(initial_velocity_text_, {0.5 * (box_.lower + box_.upper)});
@@ -190,7 +190,9 @@ namespace Breakwater
     context.note_effect(name_ + ": body forces", body_forces_act_ && !body_forces.empty(),
                         body_forces.empty() ? "the scene has none" : "switched off by \"Body forces act\"");
     context.note_effect(name_ + ": damping", damping_ > 0, "\"Damping\" is 0");
-    context.note_effect(name_ + ": stops", !stops_.empty(), "\"Stops\" names none");
+    context.note_effect(name_ + ": stops", !stop_lists_[0].empty(), "\"Stops\" names none");
+    if (!stop_lists_[0].empty())
+      list_of_node_.assign(n_nodes, 0);
     body_acceleration_is_fixed_ = std::all_of(body_forces.begin(), body_forces.end(), [](const auto &body_force) {
       return body_force->is_uniform();
     });
@@ -248,10 +250,10 @@ namespace Breakwater
     std::fill(link_force_.begin(), link_force_.end(), Vec<dim>());
     time_step_ = time_step;
     for (std::size_t i = 0; i < n_nodes; ++i)
+      velocity_[i] += (0.5 * time_step) * acceleration_[i];
+    stop_at_planes(time_step);
+    for (std::size_t i = 0; i < n_nodes; ++i)
       {
-        velocity_[i] += (0.5 * time_step) * acceleration_[i];
-        if (!stops_.empty() && inverse_mass_[i] > 0)
-          stop_at_planes(i, time_step);
         displacement_[i] += time_step * velocity_[i];
         position_[i] = mesh_.nodes[i] + displacement_[i];
       }
@@ -278,17 +280,35 @@ namespace Breakwater
   // A node that would cross a plane in this step comes to lie on it: the impulse is that of a contact force at the end of
   // the step, as in forward increment multipliers (Carpenter, Taylor and Katona, 1991), lumped masses decoupling the nodes.
   template <int dim>
-  void ExplicitStructure<dim>::stop_at_planes(const std::size_t i, const double time_step)
+  void ExplicitStructure<dim>::stop_at_planes(const double time_step)
   {
-    for (const Stop<dim> &stop : stops_)
-      {
-        const double distance = std::max(0., dot(position_[i] - stop.place, stop.normal));
-        const double excess   = -distance / time_step - dot(velocity_[i], stop.normal);
-        if (!(excess > 0))
-          continue;
-        velocity_[i] += excess * stop.normal;
-        add_load(i, mass_[i] * excess * stop.normal); // of the whole body, as in act()
-      }
+    for (std::size_t i = 0; i < list_of_node_.size(); ++i)
+      for (const Stop<dim> &stop : stop_lists_[list_of_node_[i]])
+        {
+          const double distance = std::max(0., dot(position_[i] - stop.place, stop.normal));
+          const double excess   = -distance / time_step - dot(velocity_[i], stop.normal);
+          if (!(excess > 0) || inverse_mass_[i] == 0)
+            continue;
+          velocity_[i] += excess * stop.normal;
+          add_load(i, mass_[i] * excess * stop.normal); // of the whole body, as in act()
+        }
+  }
+
+
+  template <int dim>
+  std::vector<Stop<dim>> ExplicitStructure<dim>::stops(const unsigned int node) const
+  {
+    return list_of_node_.empty() ? std::vector<Stop<dim>>() : stop_lists_[list_of_node_[wet_nodes_[node]]];
+  }
+
+
+  template <int dim>
+  void ExplicitStructure<dim>::set_stops(const unsigned int node, const std::vector<Stop<dim>> &stops)
+  {
+    if (list_of_node_.empty())
+      list_of_node_.assign(mesh_.nodes.size(), 0);
+    list_of_node_[wet_nodes_[node]] = stop_lists_.size();
+    stop_lists_.push_back(stops);
   }
 
 

@@ -38,6 +38,9 @@ namespace Breakwater
     void                   lend_mass(const std::vector<double> &mass) override;
     void                   correct_surface(const std::vector<Vec<dim>> &position) override;
 
+    std::vector<Stop<dim>> stops(unsigned int node) const override;
+    void                   set_stops(unsigned int node, const std::vector<Stop<dim>> &stops) override;
+
     DomainBalance<dim> balance() const override;
     void               add_history(Row &row) override;
     OutputMesh<dim>    output_mesh() const override;
@@ -45,6 +48,10 @@ namespace Breakwater
     void               load(std::istream &stream) override;
 
   private:
+    /// Shows visit() all that a checkpoint holds.
+    template <class Structure, class Visitor>
+    static void visit_state(Structure &structure, const Visitor &visit);
+
     /// What other bodies and stops gave: impulse and angular impulse about the reference point.
     struct Load
     {
@@ -53,7 +60,7 @@ namespace Breakwater
     };
 
     void update_free_acceleration(std::size_t node);
-    void stop_at_planes(std::size_t node, double time_step);
+    void stop_at_planes(double time_step);
     void add_load(std::size_t node, const Vec<dim> &impulse);
     void make_wet_surface();
     void update_wet_surface();
@@ -81,7 +88,6 @@ namespace Breakwater
     BoxMesh<dim>              box_{};
     std::array<bool, 2 * dim> is_clamped_{}; ///< [boundary]
     std::array<bool, 2 * dim> is_wet_{};     ///< [boundary]
-    std::vector<Stop<dim>>    stops_;
 
     std::string                      name_;
     const BodyForces<dim>           *body_forces_ = nullptr;
@@ -95,6 +101,9 @@ namespace Breakwater
     std::vector<unsigned int>        wet_nodes_;  ///< [node of wet_surface_]
     std::vector<Vec<dim>>            link_force_; ///< in the present accelerations, [node of wet_surface_] [N]
     Load                             load_;       ///< since the last row of the history
+
+    std::vector<std::vector<Stop<dim>>> stop_lists_;   ///< the scene's, then those of nodes that others share
+    std::vector<unsigned int>           list_of_node_; ///< number in stop_lists_; empty if there are no stops
 
     double                time_             = 0;      ///< [s]
     double                time_step_        = 0;      ///< of the step that end_step() has not ended yet, else 0 [s]

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <breakwater/base/vec.h>
+#include <breakwater/mesh/stop.h>
 
 #include <array>
 #include <string>
@@ -20,14 +20,6 @@ namespace Breakwater
   /// @throws InputError that says what is wrong with the text and what is expected
   template <int dim>
   BoxMesh<dim> parse_box_mesh(const std::string &text);
-
-  /// A plane that nodes can't cross: they stay on the side to which the normal points.
-  template <int dim>
-  struct Stop
-  {
-    Vec<dim> place;  ///< a point of the plane [m]
-    Vec<dim> normal; ///< unit length
-  };
 
   /// Reads planes "x, y, z; nx, ny, nz", in 2D with two numbers in each part, separated by vertical bars.
   /// @throws InputError that says what is wrong with the text and what is expected

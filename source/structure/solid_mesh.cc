@@ -12,7 +12,8 @@
 #include <deal.II/grid/grid_generator.h>
 #include <deal.II/grid/grid_tools.h>
 
-#include <algorithm>
+#include <cmath>
+#include <sstream>
 
 namespace Breakwater
 {
@@ -21,6 +22,51 @@ namespace Breakwater
     constexpr unsigned int power(const unsigned int base, const unsigned int exponent)
     {
       return exponent == 0 ? 1 : base * power(base, exponent - 1);
+    }
+
+    template <int dim>
+    dealii::Point<dim> as_point(const Vec<dim> &x)
+    {
+      dealii::Point<dim> point;
+      for (int d = 0; d < dim; ++d)
+        point[d] = x[d];
+      return point;
+    }
+
+    template <int dim>
+    std::string text(const dealii::Point<dim> &point)
+    {
+      std::ostringstream stream;
+      stream << '(';
+      for (int d = 0; d < dim; ++d)
+        stream << (d > 0 ? ", " : "") << point[d];
+      stream << ") m";
+      return stream.str();
+    }
+
+    [[noreturn]] void fail_mapped_cell(const std::string &place)
+    {
+      throw InputError("the cell of the mapped mesh " + place +
+                       " has no volume there or is turned inside out: the mapping must keep the sense of rotation, and "
+                       "may not fold the box or draw a corner of a cell out to a straight line");
+    }
+
+    /// Cells are multilinear between their vertices. In 2D the Jacobian is the smallest at a corner.
+    template <int dim>
+    void check_corners(const dealii::Triangulation<dim> &triangulation)
+    {
+      using Geometry = dealii::GeometryInfo<dim>;
+      for (const auto &cell : triangulation.active_cell_iterators())
+        {
+          dealii::Point<dim>     corner[Geometry::vertices_per_cell];
+          dealii::Tensor<0, dim> volume[Geometry::vertices_per_cell]; // of the edges that meet there
+          for (const unsigned int v : cell->vertex_indices())
+            corner[v] = cell->vertex(v);
+          Geometry::alternating_form_at_vertices(corner, volume);
+          for (const unsigned int v : cell->vertex_indices())
+            if (!(volume[v] > 1e-14 * std::pow(cell->diameter(), dim)))
+              fail_mapped_cell("with a corner at " + text(corner[v]));
+        }
     }
 
     /// Turns a facet so that its normal points away from a place inside its cell.
@@ -86,28 +132,19 @@ namespace Breakwater
     if (Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) != 1)
       throw InputError("a structure runs on one rank only so far: start the program without mpirun, or with -n 1");
 
-    Point<dim> lower, upper;
-    for (int d = 0; d < dim; ++d)
-      {
-        lower[d] = box.lower[d];
-        upper[d] = box.upper[d];
-      }
     parallel::distributed::Triangulation<dim> triangulation(MPI_COMM_WORLD);
     const std::vector<unsigned int>           n_cells(box.n_cells.begin(), box.n_cells.end());
-    GridGenerator::subdivided_hyper_rectangle(triangulation, n_cells, lower, upper, true);
+    GridGenerator::subdivided_hyper_rectangle(triangulation, n_cells, as_point(box.lower), as_point(box.upper), true);
     if (place)
       GridTools::transform(
         [&place](const Point<dim> &point) {
           Vec<dim> x;
           for (int d = 0; d < dim; ++d)
             x[d] = point[d];
-          x = place(x);
-          Point<dim> moved;
-          for (int d = 0; d < dim; ++d)
-            moved[d] = x[d];
-          return moved;
+          return as_point(place(x));
         },
         triangulation);
+    check_corners(triangulation);
     const FE_Q<dim> fe(degree);
     DoFHandler<dim> dof_handler(triangulation);
     dof_handler.distribute_dofs(fe);
@@ -142,12 +179,10 @@ namespace Breakwater
           }
       }
 
-    if (!std::all_of(mesh.point_volume.begin(), mesh.point_volume.end(), [](const double v) {
-          return v > 0;
-        }))
-      throw InputError(
-        "a cell of the mapped mesh has no volume or is turned inside out: the mapping must keep the sense "
-        "of rotation");
+    // In 3D, corners that are right do not say that all of the cell is.
+    for (std::size_t i = 0; i < mesh.point_volume.size(); ++i)
+      if (!(mesh.point_volume[i] > 0 && mesh.node_volume[i] > 0))
+        fail_mapped_cell("at " + text(as_point(mesh.nodes[mesh.cell_nodes[i]])));
     unsigned int index = 0;
     for (const auto &cell : dof_handler.active_cell_iterators())
       {

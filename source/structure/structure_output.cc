@@ -80,38 +80,40 @@ namespace Breakwater
 
 
   template <int dim>
+  template <class Structure, class Visitor>
+  void ExplicitStructure<dim>::visit_state(Structure &structure, const Visitor &visit)
+  {
+    visit(structure.time_);
+    visit(structure.largest_frequency_);
+    visit(structure.smallest_volume_ratio_);
+    visit(structure.displacement_);
+    visit(structure.velocity_);
+    visit(structure.acceleration_);
+    visit(structure.link_force_);
+    visit(structure.load_);
+    visit(structure.time_of_last_row_);
+    visit(structure.eigenvalues_.eigenvalue);
+    visit(structure.eigenvalues_.direction);
+    visit(structure.eigenvalues_.metric);
+  }
+
+
+  template <int dim>
   void ExplicitStructure<dim>::save(std::ostream &stream) const
   {
-    write_binary(stream, time_);
-    write_binary(stream, largest_frequency_);
-    write_binary(stream, smallest_volume_ratio_);
-    write_binary(stream, displacement_);
-    write_binary(stream, velocity_);
-    write_binary(stream, acceleration_);
-    write_binary(stream, link_force_);
-    write_binary(stream, load_);
-    write_binary(stream, time_of_last_row_);
-    write_binary(stream, eigenvalues_.eigenvalue);
-    write_binary(stream, eigenvalues_.direction);
-    write_binary(stream, eigenvalues_.metric);
+    visit_state(*this, [&stream](const auto &value) {
+      write_binary(stream, value);
+    });
   }
+
 
   template <int dim>
   void ExplicitStructure<dim>::load(std::istream &stream)
   {
     const std::size_t n_nodes = displacement_.size(), n_directions = eigenvalues_.direction.size();
-    read_binary(stream, time_);
-    read_binary(stream, largest_frequency_);
-    read_binary(stream, smallest_volume_ratio_);
-    read_binary(stream, displacement_);
-    read_binary(stream, velocity_);
-    read_binary(stream, acceleration_);
-    read_binary(stream, link_force_);
-    read_binary(stream, load_);
-    read_binary(stream, time_of_last_row_);
-    read_binary(stream, eigenvalues_.eigenvalue);
-    read_binary(stream, eigenvalues_.direction);
-    read_binary(stream, eigenvalues_.metric);
+    visit_state(*this, [&stream](auto &value) {
+      read_binary(stream, value);
+    });
     if (displacement_.size() != n_nodes || velocity_.size() != n_nodes || acceleration_.size() != n_nodes ||
         eigenvalues_.direction.size() != n_directions || link_force_.size() != wet_nodes_.size())
       throw InputError(name_ + ": the checkpoint holds another mesh: was the scene's mesh or its wet boundaries "

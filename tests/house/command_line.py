@@ -54,7 +54,9 @@ for ties, message in (("Root and Midle", 'no body is called "Midle"; did you mea
                       ("Root and Root", '"Root" can\'t be tied to itself'),
                       ("Root and Middle, Middle and Root", "are tied twice"),
                       ("", "say which of the structures are tied"),
-                      ("Root and End, Middle and End", '"Root" has no node in common with what is tied to it')):
+                      ("Root and End, Middle and End", 'entry "Ties", value "Root and End, Middle and End": "Root" and '
+                       '"End" are tied to each other, but their wet boundaries have no node in common'),
+                      ("Root and Middle, Middle and End, Root and End", '"Root" and "End" are tied to each other, but')):
     expect(1, message, tied, "--validate", "--set", f"Coupling/Ties={ties}")
 expect(1, "bodies can't be tied without a coupler", tied, "--set", "Coupling/Model=")
 expect(1, "there is no second body to couple", scene, "--set", "Plugin libraries=materials, body_forces, couplers",

@@ -14,12 +14,17 @@ failures = Failures()
 DAM_BREAK = os.path.join(SOURCES, "parameter_files/cookbooks/dam_break.prm")
 JET = os.path.join(SOURCES, "parameter_files/cookbooks/filling_jet.prm")
 OBSTACLE = os.path.join(SOURCES, "parameter_files/cookbooks/dam_break_elastic_obstacle.prm")
+TIED = os.path.join(SOURCES, "parameter_files/verification/tied_bars.prm")
 CASES = {
     "fluid": [DAM_BREAK, "--set", "Fluid/Pfem/Spacing=0.008", "--set", "End time=0.3", "--set",
               "Output/History every=0.003"],
     "openings": [JET, "--set", "Fluid/Pfem/Spacing=0.01", "--set", "End time=0.3", "--set", "Output/History every=0.003",
                  "--set", "Fluid/Pfem/Outflows/Drain/Shape=box(0, 0; 0.3, 0.1)"],
     "coupled": [OBSTACLE, "--set", "Fluid/Pfem/Spacing=0.02", "--set", "End time=0.3"],
+    "structures": [TIED, "--set", "End time=0.3", "--set", "Output/History every=0.003", "--set",
+                   "Structures/Root/Mesh=box(0, 0; 0.4, 0.1; 32, 8)", "--set",
+                   "Structures/Middle/Mesh=box(0.4, 0; 0.7, 0.1; 24, 8)", "--set",
+                   "Structures/End/Mesh=box(0.7, 0; 1, 0.1; 24, 8)"],
 }
 
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <breakwater/base/exceptions.h>
 #include <breakwater/base/plugin_registry.h>
 #include <breakwater/base/vec.h>
 
@@ -61,8 +62,14 @@ namespace Breakwater
     /// names, such as "Walls/Tank".
     virtual std::vector<std::string> section_titles() const = 0;
 
-    /// Stops with an InputError about an entry of the current section: where it was set, its value, `message`.
-    [[noreturn]] virtual void fail(const std::string &name, const std::string &message) const = 0;
+    /// An entry of the current section as messages name it: where it was set, and its value.
+    virtual std::string where(const std::string &name) const = 0;
+
+    /// Stops with an InputError about an entry of the current section: where(), then `message`.
+    [[noreturn]] void fail(const std::string &name, const std::string &message) const
+    {
+      throw InputError(where(name) + ": " + message);
+    }
 
     /// Where to find a file that an entry names: relative to the folder of the parameter file.
     virtual std::filesystem::path file_path(const std::string &name) const { return name; }

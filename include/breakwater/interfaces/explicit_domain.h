@@ -4,6 +4,7 @@
 #include <breakwater/base/run_context.h>
 #include <breakwater/interfaces/body_force.h>
 #include <breakwater/mesh/output_mesh.h>
+#include <breakwater/mesh/stop.h>
 #include <breakwater/mesh/wet_surface.h>
 
 #include <iosfwd>
@@ -105,6 +106,11 @@ namespace Breakwater
     /// Puts the nodes of the wet surface to places [m] from which they differ by what time stepping let drift apart.
     /// @pre one place per node
     virtual void correct_surface(const std::vector<Vec<dim>> &position) = 0;
+
+    /// The planes that a node of the wet surface can't cross, such as floors, and other ones in their place. Nodes that
+    /// move as one must have the same ones. A domain that knows none has none.
+    virtual std::vector<Stop<dim>> stops(unsigned int /*node*/) const { return {}; }
+    virtual void                   set_stops(unsigned int /*node*/, const std::vector<Stop<dim>>                   &/*stops*/) {}
 
     virtual DomainBalance<dim> balance() const = 0;
 

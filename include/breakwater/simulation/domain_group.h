@@ -13,7 +13,7 @@ namespace Breakwater
   /// At a joint the nodes of two wet surfaces that stand at the same place move as one: after every free step they get
   /// the acceleration sum(m a) / sum(m) of all of them by link forces, which is the scheme of Gravouil and Combescure
   /// for equal steps with the multiplier eliminated. What another domain pushes at such a node is shared out by mass. A
-  /// direction that one of them holds is held for all.
+  /// direction that one of them holds is held for all, and no one of them crosses a plane that stops another one.
   ///
   /// The group's wet surface consists of the wet nodes of its exposed members, joined ones once, and of their facets
   /// but for those inside a joint.
@@ -29,7 +29,8 @@ namespace Breakwater
     };
     using Joint = std::pair<unsigned int, unsigned int>; ///< numbers of two members
 
-    DomainGroup(std::vector<Member> members, std::vector<Joint> joints);
+    /// @param ties where the scene says what is joined, for messages about that
+    DomainGroup(std::vector<Member> members, std::vector<Joint> joints, std::string ties);
 
     /// Sets up the members, each with its own name, and joins them.
     /// @throws InputError if two members that are to be joined have no node in common or move apart at time 0, or if
@@ -46,6 +47,8 @@ namespace Breakwater
     void                   lend_mass(const std::vector<double> &mass) override;
     bool                   can_adopt_surface() const override { return false; }
     void                   correct_surface(const std::vector<Vec<dim>> &position) override;
+    std::vector<Stop<dim>> stops(unsigned int node) const override;
+    void                   set_stops(unsigned int node, const std::vector<Stop<dim>> &stops) override;
 
     /// Leaves only these nodes of the wet surface [number in wet_surface()], in this order, and no facets.
     void keep_surface_nodes(const std::vector<unsigned int> &nodes);
@@ -69,6 +72,7 @@ namespace Breakwater
     using Node = std::vector<Slot>; ///< what moves as one; one slot where nothing is joined
 
     void join_nodes();
+    void share_stops();
     void check_joint_velocities() const;
     void make_surface();
     void update_surface();
@@ -84,6 +88,7 @@ namespace Breakwater
 
     std::vector<Member>                members_;
     std::vector<Joint>                 joints_;
+    std::string                        ties_;
     RunContext                        *context_ = nullptr;
     std::vector<Node>                  nodes_;        ///< of all members
     std::vector<std::vector<unsigned>> node_of_slot_; ///< [member][node of its wet surface]
@@ -98,4 +103,16 @@ namespace Breakwater
   template <int dim>
   std::vector<std::pair<unsigned int, unsigned int>> joint_nodes(const std::vector<Vec<dim>> &a,
                                                                  const std::vector<Vec<dim>> &b);
+
+  /// A node of a domain's wet surface.
+  template <int dim>
+  struct DomainNode
+  {
+    ExplicitDomain<dim> *domain;
+    unsigned int         node;
+  };
+
+  /// Gives nodes that move as one the stops of all of them, in one order: the same bits for the same way.
+  template <int dim>
+  void share_stops(const std::vector<DomainNode<dim>> &nodes);
 } // namespace Breakwater

@@ -87,8 +87,8 @@ namespace Breakwater
 
     void                     declare_structures(ParameterReader &reader);
     void                     declare_output(ParameterReader &reader);
-    void                     check_bodies(ParameterReader &reader) const;
-    void                     check_coupling(ParameterReader &reader) const;
+    void                     check_bodies(ParameterReader &reader);
+    void                     check_coupling(ParameterReader &reader);
     void                     check_probes(ParameterReader &reader) const;
     std::vector<std::string> structure_names() const;
 
@@ -116,6 +116,12 @@ namespace Breakwater
     void write_fields();
     void write_fields_at_breakdown();
 
+    /// Shows visit() what a checkpoint holds: numbers, and parts that save and load themselves, with their names.
+    template <class AnySimulation, class Visitor>
+    static void visit_numbers(AnySimulation &simulation, const Visitor &visit);
+    template <class AnySimulation, class Visitor>
+    static void visit_parts(AnySimulation &simulation, const Visitor &visit);
+
     void write_due_checkpoint();
     void write_checkpoint();
     void load_checkpoint();
@@ -129,6 +135,7 @@ namespace Breakwater
     std::vector<Structure>          structures_;
     PluginList<Coupler<dim>>        coupler_;
     std::vector<std::string>        tie_texts_;
+    std::string                     ties_place_; ///< of their entry, for messages
     PluginList<Postprocessor<dim>>  postprocessors_;
     std::string                     directory_;
     double                          fields_every_  = 0.01;  ///< [s]

@@ -5,7 +5,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <iomanip>
 #include <sstream>
 
 namespace Breakwater
@@ -26,7 +28,15 @@ namespace Breakwater
       {
         auto               material = registry_.create<Material<dim>>(name);
         std::ostringstream text;
-        text << "set Density = 2000\nset Young's modulus = 3e6\nset Poisson's ratio = " << poissons_ratio << "\n";
+        text << std::setprecision(17) << "set Density = 2000\n";
+        if (name == "Mooney Rivlin")
+          {
+            const double c = 3e6 / (4 * (1 + poissons_ratio)); // C1 + C2, half of the shear modulus
+            text << "set C1 = " << -0.5 * c << "\nset C2 = " << 1.5 * c
+                 << "\nset Bulk modulus = " << 1e6 / (1 - 2 * poissons_ratio) << "\n";
+          }
+        else
+          text << "set Young's modulus = 3e6\nset Poisson's ratio = " << poissons_ratio << "\n";
         std::istringstream stream(text.str());
         read_parameters(*material, registry_, scan_parameters(stream, "test.prm"));
         return material;
@@ -36,7 +46,8 @@ namespace Breakwater
       PluginRegistry registry_;
     };
 
-    const std::vector<std::string> laws = {"Linear elastic", "Saint Venant Kirchhoff"};
+    const std::vector<std::string> of_large_strain = {"Saint Venant Kirchhoff", "Neo Hookean", "Mooney Rivlin"};
+    const std::vector<std::string> laws = {"Linear elastic", "Saint Venant Kirchhoff", "Neo Hookean", "Mooney Rivlin"};
 
     /// Two displacement gradients: a moderate one and a large one.
     template <int dim>
@@ -63,7 +74,7 @@ namespace Breakwater
           h[i]               = value - step;
           const double minus = material.strain_energy(point);
           h[i]               = value;
-          EXPECT_NEAR(stress[i], (plus - minus) / (2 * step), 1e-3); // of stresses of 1e5 to 1e6
+          EXPECT_NEAR(stress[i], (plus - minus) / (2 * step), 1e-8 * std::max(1e5, std::abs(stress[i])));
         }
     }
   } // namespace
@@ -118,20 +129,42 @@ namespace Breakwater
     EXPECT_NEAR(p[0], 1.5 * 3e6 * (1.5 * 1.5 - 1) / 2, 1e-6);
   }
 
-  TEST_F(MaterialsTest, KirchhoffStressTurnsWithTheSolid)
+  TEST_F(MaterialsTest, NeoHookeanStretchWithoutLateralStrain)
+  {
+    // P = mu (F - 1/F) at nu = 0.
+    const double h[9] = {0.5, 0, 0, 0, 0, 0, 0, 0, 0};
+    double       p[9];
+    make<3>("Neo Hookean", 0)->first_piola_stress(h, p, 1);
+    EXPECT_NEAR(p[0], 1.5e6 * (1.5 - 1 / 1.5), 1e-6);
+  }
+
+  TEST_F(MaterialsTest, MooneyRivlinStretchThatKeepsTheVolume)
+  {
+    // Principal stretches a and a^-1/2: P_1 - P_2 a^(-3/2) = 2 (a - a^-2) (C1 + C2 / a), whatever the pressure.
+    const double a = 1.7, c = 3e6 / (4 * 1.3), b = 1 / std::sqrt(a);
+    const double h[9] = {a - 1, 0, 0, 0, b - 1, 0, 0, 0, b - 1};
+    double       p[9];
+    make<3>("Mooney Rivlin", 0.3)->first_piola_stress(h, p, 1);
+    EXPECT_NEAR(p[0] - p[4] * std::pow(a, -1.5), 2 * (a - 1 / (a * a)) * (-0.5 * c + 1.5 * c / a), 1e-6);
+  }
+
+  TEST_F(MaterialsTest, StressTurnsWithTheSolid)
   {
     // P(R F) = R P(F), with R a quarter turn: F = 1 + H.
     const double h[4]      = {0.1, 0.2, -0.1, 0.05};
     const double turned[4] = {-h[2] - 1, -1 - h[3], 1 + h[0], h[1] - 1}; // R (1 + H) - 1
-    double       p[4], q[4];
-    const auto   material = make<2>("Saint Venant Kirchhoff", 0.3);
-    material->first_piola_stress(h, p, 1);
-    material->first_piola_stress(turned, q, 1);
-    EXPECT_NEAR(q[0], -p[2], 1e-9);
-    EXPECT_NEAR(q[1], -p[3], 1e-9);
-    EXPECT_NEAR(q[2], p[0], 1e-9);
-    EXPECT_NEAR(q[3], p[1], 1e-9);
-    EXPECT_GT(std::abs(p[0]), 1e4);
+    for (const std::string &law : of_large_strain)
+      {
+        double     p[4], q[4];
+        const auto material = make<2>(law, 0.3);
+        material->first_piola_stress(h, p, 1);
+        material->first_piola_stress(turned, q, 1);
+        EXPECT_NEAR(q[0], -p[2], 1e-8);
+        EXPECT_NEAR(q[1], -p[3], 1e-8);
+        EXPECT_NEAR(q[2], p[0], 1e-8);
+        EXPECT_NEAR(q[3], p[1], 1e-8);
+        EXPECT_GT(std::abs(p[0]), 1e4);
+      }
   }
 
   TEST_F(MaterialsTest, WaveSpeedAndDensity)
@@ -148,5 +181,6 @@ namespace Breakwater
   {
     EXPECT_THROW(make<3>("Linear elastic", 0.5), InputError);
     EXPECT_THROW(make<3>("Saint Venant Kirchhoff", -1), InputError);
+    EXPECT_THROW(make<3>("Mooney Rivlin", 0.5), InputError);
   }
 } // namespace Breakwater

@@ -70,12 +70,9 @@ namespace Breakwater
     void                     enter_section(const std::string &) override {}
     void                     leave_section() override {}
     std::vector<std::string> section_titles() const override { return {}; }
-    [[noreturn]] void        fail(const std::string &name, const std::string &message) const override
-    {
-      throw InputError(name + ": " + message);
-    }
-    const PluginRegistry &registry() const override { return registry_; }
-    void                  note_new_plugin() override {}
+    std::string              where(const std::string &name) const override { return name; }
+    const PluginRegistry    &registry() const override { return registry_; }
+    void                     note_new_plugin() override {}
 
   protected:
     void add_fixed(const std::string &name, double *values, const unsigned int n, const std::string &) override

@@ -318,6 +318,23 @@ namespace Breakwater
       }
   }
 
+  TEST(ExplicitStructure, RefusesAMappingThatTurnsACornerInsideOut)
+  {
+    // The corner of the unit square that goes to (0.45, 0.45) m lies behind the line between its neighbours, while the
+    // Jacobian is positive at all Gauss points.
+    for (const char *degree : {"1", "2"})
+      try
+        {
+          Scene<2> scene("set Mesh = box(0, 0; 1, 1; 1, 1)\nset Mapping = x - 0.55*x*y, y - 0.55*x*y\nset Degree = " +
+                         std::string(degree) + "\n" + soft);
+          ADD_FAILURE() << "no InputError";
+        }
+      catch (const InputError &error)
+        {
+          EXPECT_NE(std::string(error.what()).find("corner at (0.45, 0.45) m"), std::string::npos) << error.what();
+        }
+  }
+
   TEST(ExplicitStructure, InitialVelocityIsGivenByExpressions)
   {
     const std::string mesh = "set Mesh = box(0, 2; 0.5, 3; 1, 1)\nset Degree = 1\n";
