@@ -3,23 +3,10 @@
 namespace Breakwater
 {
   template <int dim>
-  void LinearElastic<dim>::declare_parameters(ParameterReader &reader)
-  {
-    constants_.declare_parameters(reader);
-  }
-
-  template <int dim>
-  void LinearElastic<dim>::check_parameters(ParameterReader &)
-  {
-    lambda_ = constants_.lambda();
-    mu_     = constants_.mu();
-  }
-
-  template <int dim>
   void LinearElastic<dim>::first_piola_stress(const double *displacement_gradient, double *stress,
                                               const std::size_t n) const
   {
-    const double lambda = lambda_, mu = mu_;
+    const double lambda = this->lambda_, mu = this->mu_;
     for (std::size_t point = 0; point < n; ++point)
       {
         const double *h     = displacement_gradient + point * dim * dim;
@@ -46,7 +33,7 @@ namespace Breakwater
             square += strain * strain;
           }
       }
-    return 0.5 * lambda_ * trace * trace + mu_ * square;
+    return 0.5 * this->lambda_ * trace * trace + this->mu_ * square;
   }
 
   template class LinearElastic<2>;

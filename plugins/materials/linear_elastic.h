@@ -1,8 +1,6 @@
 #pragma once
 
-#include "elastic_constants.h"
-
-#include <breakwater/interfaces/material.h>
+#include "isotropic_material.h"
 
 namespace Breakwater
 {
@@ -11,20 +9,10 @@ namespace Breakwater
   ///
   /// e = (H + H^T) / 2,  P = lambda tr(e) 1 + 2 mu e,  energy lambda/2 tr(e)^2 + mu e:e.
   template <int dim>
-  class LinearElastic : public Material<dim>
+  class LinearElastic : public IsotropicMaterial<dim>
   {
   public:
-    void declare_parameters(ParameterReader &reader) override;
-    void check_parameters(ParameterReader &reader) override;
-
-    double density() const override { return constants_.density(); }
     void   first_piola_stress(const double *displacement_gradient, double *stress, std::size_t n) const override;
     double strain_energy(const double *displacement_gradient) const override;
-    double wave_speed() const override { return constants_.wave_speed(); }
-
-  private:
-    ElasticConstants constants_;
-    double           lambda_ = 0; ///< [Pa]
-    double           mu_     = 0; ///< [Pa]
   };
 } // namespace Breakwater

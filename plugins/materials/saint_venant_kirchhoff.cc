@@ -21,23 +21,10 @@ namespace Breakwater
 
 
   template <int dim>
-  void SaintVenantKirchhoff<dim>::declare_parameters(ParameterReader &reader)
-  {
-    constants_.declare_parameters(reader);
-  }
-
-  template <int dim>
-  void SaintVenantKirchhoff<dim>::check_parameters(ParameterReader &)
-  {
-    lambda_ = constants_.lambda();
-    mu_     = constants_.mu();
-  }
-
-  template <int dim>
   void SaintVenantKirchhoff<dim>::first_piola_stress(const double *displacement_gradient, double *stress,
                                                      const std::size_t n) const
   {
-    const double lambda = lambda_, two_mu = 2 * mu_;
+    const double lambda = this->lambda_, two_mu = 2 * this->mu_;
     for (std::size_t point = 0; point < n; ++point)
       {
         const double *h = displacement_gradient + point * dim * dim;
@@ -73,7 +60,7 @@ namespace Breakwater
         for (int j = 0; j < dim; ++j)
           square += strain[i][j] * strain[i][j];
       }
-    return 0.5 * lambda_ * trace * trace + mu_ * square;
+    return 0.5 * this->lambda_ * trace * trace + this->mu_ * square;
   }
 
   template class SaintVenantKirchhoff<2>;

@@ -1,8 +1,6 @@
 #pragma once
 
-#include "elastic_constants.h"
-
-#include <breakwater/interfaces/material.h>
+#include "isotropic_material.h"
 
 namespace Breakwater
 {
@@ -13,20 +11,10 @@ namespace Breakwater
   /// E = (H + H^T + H^T H) / 2,  S = lambda tr(E) 1 + 2 mu E,  P = (1 + H) S,  energy lambda/2 tr(E)^2 + mu E:E
   /// (Holzapfel, Nonlinear Solid Mechanics, 2000, section 6.5).
   template <int dim>
-  class SaintVenantKirchhoff : public Material<dim>
+  class SaintVenantKirchhoff : public IsotropicMaterial<dim>
   {
   public:
-    void declare_parameters(ParameterReader &reader) override;
-    void check_parameters(ParameterReader &reader) override;
-
-    double density() const override { return constants_.density(); }
     void   first_piola_stress(const double *displacement_gradient, double *stress, std::size_t n) const override;
     double strain_energy(const double *displacement_gradient) const override;
-    double wave_speed() const override { return constants_.wave_speed(); }
-
-  private:
-    ElasticConstants constants_;
-    double           lambda_ = 0; ///< [Pa]
-    double           mu_     = 0; ///< [Pa]
   };
 } // namespace Breakwater
