@@ -83,6 +83,9 @@ namespace Breakwater
     row.emplace_back("isolated nodes [-]", n_isolated);
     row.emplace_back("nodes put back at walls [-]", n_wall_stops_);
     parameters_.walls.add_history(time_, row);
+    if (slip_.is_on())
+      for (int d = 0; d < dim; ++d)
+        row.emplace_back(std::string("impulse left out along structures ") + "xyz"[d] + " [kg m/s]", slip_impulse_[d]);
     row.emplace_back("largest pressure [Pa]", largest_pressure);
     row.emplace_back("largest fluid speed [m/s]", largest_speed);
     if (!parameters_.openings.empty())
@@ -154,6 +157,8 @@ namespace Breakwater
     Openings<dim>::visit_state(parameters_.openings, visit);
     visit(received_);
     visit(contact_impulse_);
+    InterfaceSlip<dim>::visit_state(slip_, visit);
+    visit(slip_impulse_);
     visit(cell_volume_at_rest_);
     visit(effects_.cell_stiffness);
     visit(adopted_.surface().revision);
@@ -187,6 +192,8 @@ namespace Breakwater
     parameters_.openings.find_driven(nodes_);
     visit(received_);
     visit(contact_impulse_);
+    InterfaceSlip<dim>::visit_state(slip_, visit);
+    visit(slip_impulse_);
     visit(cell_volume_at_rest_);
     visit(effects_.cell_stiffness);
     effects_.cell_volume_at_rest = cell_volume_at_rest_.data();

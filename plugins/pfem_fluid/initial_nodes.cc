@@ -77,6 +77,7 @@ namespace Breakwater
         if (i >= nodes_.n_interface && !nodes_.has_cells[i])
           nodes_.mass[i] = nodes_.density[i] * regular_volume<dim>(parameters_.size(nodes_.position(i)));
       }
+    find_slip_neighbours();
     set_references();
     update_pressure();
     update_forces();
@@ -108,7 +109,9 @@ namespace Breakwater
     const std::vector<unsigned int> order = hilbert_order(place);
 
     const WetSurface<dim> &surface = adopted_.surface();
-    nodes_.n_interface             = adopted_.n_nodes();
+    if (parameters_.law_at_structures == "free slip")
+      slip_.set_up(surface);
+    nodes_.n_interface = adopted_.n_nodes();
     nodes_.resize(nodes_.n_interface + place.size());
     for (std::size_t i = 0; i < nodes_.n_interface; ++i)
       {

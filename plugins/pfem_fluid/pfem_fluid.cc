@@ -56,6 +56,10 @@ namespace Breakwater
     filters_velocity_ = parameters_.filter_weight > 0 || parameters_.divergence_filter_weight > 0;
     context.note_effect("velocity filter", filters_velocity_, "its weights are 0");
     context.note_effect("tension", parameters_.tension == "allowed", "pressure below zero is cut off");
+    if (!adopted_.empty())
+      context.note_effect("free slip at structures", parameters_.law_at_structures == "free slip",
+                          effects_.viscous ? "Law at structures is no slip" :
+                                             "Law at structures is no slip, although the fluid has no viscosity");
     context.note_effect("moving walls", parameters_.walls.any_moves(), "no wall has a motion");
     context.note_effect("Navier slip", parameters_.walls.any_has_navier_slip(), "no wall has that law");
     context.note_effect("spacing that varies", !parameters_.size.is_uniform(), "the spacing is one number");
@@ -113,6 +117,8 @@ namespace Breakwater
     time_ += time_step;
     last_time_step_ = time_step;
 
+    if (slip_.is_on())
+      slip_.update_directions(nodes_, walls);
     update_volumes();
     update_pressure();
     diffusion_time_ += time_step;
@@ -187,11 +193,21 @@ namespace Breakwater
           }
       }
 
+    const bool slips_with_viscosity = slip_.is_on() && effects_.viscous;
+    if (slips_with_viscosity)
+      slip_.add_slip(nodes_);
     update_viscosity();
     compute_forces<dim>(mesh_.cells, effects_, nodes_.xp, nodes_.v, nodes_.density_slope, nodes_.force);
+    if (slips_with_viscosity)
+      {
+        slip_.take_slip_back(nodes_);
+        slip_.pass_viscous_forces_on(nodes_, mesh_.cells, effects_);
+      }
     parameters_.walls.begin_forces();
     add_cap_forces();
     give_rim_forces_to_walls();
+    if (slip_.is_on())
+      slip_.take_forces_along(nodes_, body_acceleration_);
   }
 
 
@@ -264,6 +280,11 @@ namespace Breakwater
           interface_work_ +=
             last_time_step_ * (nodes_.mass[i] * nodes_.a[i][d] - nodes_.force[i][d] - weight) * nodes_.v[i][d];
         }
+    for (std::size_t i = 0; i < slip_.taken_forces().size(); ++i)
+      {
+        interface_work_ -= last_time_step_ * dot(slip_.taken_forces()[i], nodes_.velocity(i));
+        slip_impulse_ += last_time_step_ * slip_.taken_forces()[i];
+      }
   }
 
 

@@ -3,6 +3,7 @@
 #include "delaunay_mesh.h"
 #include "fluid_nodes.h"
 #include "gaps.h"
+#include "interface_slip.h"
 #include "kernels.h"
 #include "pfem_parameters.h"
 #include "structure_contact.h"
@@ -122,6 +123,7 @@ namespace Breakwater
       const std::function<bool(const typename SimplexMesh<dim>::Cell &)> &is_inside = {});
     void   classify_nodes();
     void   shift_to_centroids();
+    void   find_slip_neighbours();
     void   correct_volumes(double energy, RemeshRecord &record);
     void   exchange(RemeshRecord &record);
     void   sort_nodes();
@@ -161,6 +163,7 @@ namespace Breakwater
     std::vector<RimFacet>    rim_facets_;    ///< facets of cells on walls, with a node of another body
     Gaps<dim>                gaps_;          ///< around the mesh
     AdoptedSurface<dim>      adopted_;
+    InterfaceSlip<dim>       slip_; ///< along the adopted surfaces, if it is free
     ForceEffects             effects_;
     bool                     body_force_is_uniform_ = true;
     bool                     filters_velocity_      = true;
@@ -170,7 +173,8 @@ namespace Breakwater
     std::vector<double>      shear_rate_;          ///< of the cells of a fluid that is not Newtonian [1/s]
     std::vector<double>      cell_volume_at_rest_; ///< at the last remesh [m^dim]
     std::vector<double>      cell_viscosity_;      ///< of a fluid that is not Newtonian [Pa s]
-    std::vector<Vec<dim>>    contact_impulse_;     ///< of leaked nodes, to be given to the interface nodes [kg m/s]
+    Vec<dim>                 slip_impulse_;    ///< that slip_ took from the interface nodes since the start [kg m/s]
+    std::vector<Vec<dim>>    contact_impulse_; ///< of leaked nodes, to be given to the interface nodes [kg m/s]
 
     DomainBalance<dim> received_; ///< of all nodes that have come in, less those that have gone
 

@@ -95,6 +95,10 @@ namespace Breakwater
                "Whether the pressure may fall below zero: `none` for violent flow, `allowed` for calm flow in which "
                "suction matters; walls that the fluid has touched then hold it.",
                {"none", "allowed"});
+    reader.add("Law at structures", law_at_structures,
+               "Whether the fluid at the surface of a structure moves with it (no slip) or slides along it without a "
+               "force (free slip); walls have laws of their own.",
+               {"no slip", "free slip"});
     initial_state.declare(reader);
     walls.declare_parameters(reader);
     openings.declare_parameters(reader);

@@ -54,6 +54,7 @@ namespace Breakwater
     double                         smoothing_target  = 0.6;
     double                         fraction_of_bound = 0.9;
     std::string                    tension           = "none";
+    std::string                    law_at_structures = "no slip";
     InitialState<dim>              initial_state;
     Walls<dim>                     walls;
     Openings<dim>                  openings;

@@ -71,6 +71,7 @@ namespace Breakwater
         nodes_.density[i]      = nodes_.base_density[i];
       }
     exchange(record);
+    find_slip_neighbours();
     set_references();
     update_pressure();
 
@@ -93,6 +94,16 @@ namespace Breakwater
     record.angular_momentum_change = nodes_.angular_momentum() - angular_momentum_before;
     add_remeshing_row(record, before, after);
     check_remesh(record, before, after);
+  }
+
+
+  template <int dim>
+  void PfemFluid<dim>::find_slip_neighbours()
+  {
+    if (!slip_.is_on())
+      return;
+    slip_.find_neighbours(nodes_, mesh_.cells);
+    slip_.update_directions(nodes_, parameters_.walls);
   }
 
 
