@@ -25,6 +25,10 @@ namespace Breakwater
   ///   H lambda = g,   H_rs = sum over the domains' nodes of w_r w_s c / m,
   /// w the weights, m the node's mass, c a number of its domain such as half its time step. Where no two places share
   /// a node H is diagonal and nothing is solved; otherwise it is kept until its entries change.
+  ///
+  /// Nodes of one place only make a diagonal D of H, the nodes k that places share the rest, H = D + W A W^T with A the
+  /// diagonal of c / m. Where these are fewer than the places, their equations are solved instead (Woodbury's formula):
+  ///   (A^-1 + W^T D^-1 W) y = W^T D^-1 g,   lambda = D^-1 (g - W y).
   template <int dim>
   class InterfaceProblem
   {
@@ -48,18 +52,55 @@ namespace Breakwater
     void         reset_iterations() { n_iterations_ = 0; }
 
   private:
-    double entry(const TiedPlace &a, const TiedPlace &b, int direction,
-                 const std::vector<const WetSurface<dim> *> &surfaces, const std::vector<double> &factor) const;
-    void   update_matrices(const std::vector<const WetSurface<dim> *> &surfaces, const std::vector<double> &factor);
+    /// A node of several places.
+    struct SharedNode
+    {
+      unsigned int              domain, node;
+      std::vector<unsigned int> neighbours; ///< numbers of the shared nodes at its places, its own too
+    };
+    /// A shared node at a place.
+    struct Share
+    {
+      unsigned int number; ///< in shared_nodes_
+      double       weight;
+    };
+    /// What is kept of the equations of one direction, c taken relative to the largest one.
+    struct Equations
+    {
+      std::vector<double> own_compliance; ///< [place] D
+      std::vector<char>   is_held; ///< of what the equations are: places with all of their nodes, or shared nodes
+      std::unique_ptr<SparseSolver> solver; ///< of lambda, or of y
+    };
+    using Rows = std::vector<SparseSolver::Row>;
+
+    double    entry(const TiedPlace &a, const TiedPlace &b, int direction,
+                    const std::vector<const WetSurface<dim> *> &surfaces, const std::vector<double> &factor) const;
+    double    compliance(unsigned int domain, unsigned int node, int direction,
+                         const std::vector<const WetSurface<dim> *> &surfaces, const std::vector<double> &factor) const;
+    double    own_compliance(unsigned int place, int direction, const std::vector<const WetSurface<dim> *> &surfaces,
+                             const std::vector<double> &factor) const;
+    void      update(const std::vector<const WetSurface<dim> *> &surfaces, const std::vector<double> &factor);
+    Equations equations(int direction, const std::vector<const WetSurface<dim> *> &surfaces,
+                        const std::vector<double> &factor) const;
+    Rows      rows_of_places(int direction, const std::vector<const WetSurface<dim> *> &surfaces,
+                             const std::vector<double> &factor) const;
+    Rows      rows_of_shared_nodes(const std::vector<double> &own_compliance, int direction,
+                                   const std::vector<const WetSurface<dim> *> &surfaces,
+                                   const std::vector<double>                  &factor) const;
+    std::vector<double> solve_for_places(const Equations &equations, std::vector<double> g);
+    std::vector<double> solve_for_shared_nodes(const Equations &equations, std::vector<double> g);
 
     std::vector<TiedPlace>                 places_;
     std::vector<std::vector<unsigned int>> neighbours_; ///< places that share a node, itself too; empty if diagonal
+    std::vector<SharedNode>                shared_nodes_;
+    std::vector<std::vector<Share>>        shares_; ///< [place]
     unsigned int                           direct_up_to_ = 0;
 
-    // What the matrices were made from, each domain's factor over the largest one.
-    std::vector<double>                        relative_factor_;
-    std::vector<unsigned int>                  revision_;
-    std::vector<std::unique_ptr<SparseSolver>> solvers_; ///< one for all directions if their masses are the same
-    unsigned int                               n_iterations_ = 0;
+    // What the equations were made from, each domain's factor over the largest one.
+    std::vector<double>       relative_factor_;
+    std::vector<unsigned int> revision_;
+    std::vector<Equations>    equations_;            ///< one for all directions if their masses are the same
+    bool                      is_condensed_ = false; ///< they are those of the shared nodes
+    unsigned int              n_iterations_ = 0;
   };
 } // namespace Breakwater
