@@ -35,10 +35,22 @@ namespace Breakwater
         for (pass_ = 1; pass_ <= n_passes && repair_worst_first(); ++pass_)
           {
           }
+        std::fill(changed_in_.begin(), changed_in_.end(), pass_);
+        for (const unsigned int last = pass_ + n_passes; pass_ < last && change_surface(); ++pass_)
+          {
+          }
         peel_.finish(report_);
+        report_.n_lifted_nodes = node_step_.n_lifted();
+        report_.lifted_volume  = node_step_.lifted_volume();
       }
 
     private:
+      /// What is below this may have a surface that is a little other.
+      double wanted_at_least() const { return 0.75 * mesh_.target(); }
+
+      /// Part of the largest peel that may be spent on coming from there to the target.
+      static constexpr double for_target = 0.1;
+
       bool is_bad(const unsigned int c) const { return mesh_.is_alive(c) && mesh_.r(c) < mesh_.target(); }
 
       bool flip(const unsigned int c)
@@ -69,17 +81,38 @@ namespace Breakwater
         bool                            has_changed = false;
         for (const unsigned int c : bad)
           if (is_bad(c) && may_help(c))
-            has_changed = flip(c) || move_nodes(c) || (are_few && make_room(c)) || has_changed;
+            has_changed = flip(c) || move_nodes(c) || (are_few && make_room(c, false)) || has_changed;
         for (const unsigned int c : bad)
           if (is_bad(c))
-            has_changed = peel(c) || has_changed;
+            has_changed = peel(c, {for_target, false}) || has_changed;
         return has_changed;
       }
 
-      bool peel(const unsigned int c)
+      /// Changes the surface where cells are still far below the target. @return whether a further pass may help
+      bool change_surface()
+      {
+        bool has_changed = false;
+        for (const unsigned int c : mesh_.bad_cells())
+          if (mesh_.r(c) < wanted_at_least() && may_help(c))
+            has_changed = flip(c) || move_nodes(c) || lift_nodes(c) || peel(c, {1., false}) || make_room(c, true) ||
+                          peel(c, {1., true}) || peel_.free_nodes(c) || has_changed;
+        return has_changed;
+      }
+
+      bool lift_nodes(const unsigned int c)
+      {
+        const auto cell      = mesh_.cell(c);
+        bool       has_moved = false;
+        for (const unsigned int node : cell)
+          if (mesh_.r(c) < wanted_at_least())
+            has_moved = lift_node(node, 1.05 * wanted_at_least()) || has_moved;
+        return has_moved;
+      }
+
+      bool peel(const unsigned int c, const typename Peel<dim>::Limits &limits)
       {
         const auto cell = mesh_.cell(c);
-        if (!peel_.try_cell(c))
+        if (!peel_.try_cell(c, limits))
           return false;
         for (const unsigned int node : cell)
           note_change(node);
@@ -98,8 +131,16 @@ namespace Breakwater
 
       bool move_node(const unsigned int node, const double wanted)
       {
-        if (!node_step_.improve(node, wanted))
-          return false;
+        return node_step_.improve(node, wanted) && note_move(node);
+      }
+
+      bool lift_node(const unsigned int node, const double wanted)
+      {
+        return node_step_.lift(node, wanted, peel_.budget()) && note_move(node);
+      }
+
+      bool note_move(const unsigned int node)
+      {
         for (const unsigned int other : mesh_.star(node))
           for (const unsigned int neighbor : mesh_.cell(other))
             note_change(neighbor);
@@ -107,7 +148,7 @@ namespace Breakwater
       }
 
       /// What is in the way of a cell that nothing helps are neighbours that are hardly better: these come first.
-      bool make_room(const unsigned int c)
+      bool make_room(const unsigned int c, const bool may_lift)
       {
         std::vector<unsigned int> nodes;
         for (const unsigned int node : mesh_.cell(c))
@@ -118,7 +159,8 @@ namespace Breakwater
         nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
         bool has_moved = false;
         for (const unsigned int node : nodes)
-          has_moved = move_node(node, 1.3 * mesh_.target()) || has_moved;
+          has_moved =
+            move_node(node, 1.3 * mesh_.target()) || (may_lift && lift_node(node, mesh_.target())) || has_moved;
         return has_moved;
       }
 

@@ -22,7 +22,7 @@ namespace Breakwater
                  SmoothingReport &report) override;
 
   private:
-    unsigned int n_passes_     = 12;
-    double       largest_peel_ = 1e-4;
+    unsigned int n_passes_     = 30;
+    double       largest_peel_ = 1e-3;
   };
 } // namespace Breakwater

@@ -97,18 +97,18 @@ namespace Breakwater
     const std::size_t         n_most = queue.size() * control.n_moves_per_cell;
     std::vector<char>         is_waiting(mesh.n_cells(), 0);
     std::vector<unsigned int> moved;
-    for (std::size_t n = 0; !queue.empty() && n < n_most; ++n)
+    std::size_t               n_moves = 0;
+    while (!queue.empty() && n_moves < n_most)
       {
         const auto [r, c] = queue.top();
         queue.pop();
         if (r != mesh.r(c) || is_waiting[c])
           continue;
+        ++n_moves;
         is_waiting[c] = !move_corners(mesh, c, control, moved);
-        if (is_waiting[c])
-          continue;
         for (const unsigned int node : moved)
           for (const unsigned int other : mesh.star(node))
-            if (mesh.r(other) < mesh.target())
+            if (mesh.r(other) < mesh.target() && !(other == c && is_waiting[c]))
               {
                 is_waiting[other] = 0;
                 queue.emplace(mesh.r(other), other);

@@ -74,30 +74,38 @@ namespace Breakwater
 
 
   template <int dim>
-  bool NodeStep<dim>::improve(const unsigned int node, const double wanted)
+  bool NodeStep<dim>::improve(const unsigned int node, const double wanted, VolumeBudget *const budget)
   {
     constexpr unsigned int most_evaluations = 8;
     constexpr double       least_part = 0.075, least_gain = 1e-4;
-    if (mesh_.freedom(node) == NodeFreedom::fixed)
+    if (!slides(mesh_.freedom(node)) && mesh_.freedom(node) != NodeFreedom::free && budget == nullptr)
       return false;
-    const typename StarMesh<dim>::Constraint constraint(mesh_, node);
-    const bool                               is_on_boundary = slides(mesh_.freedom(node));
+    const typename StarMesh<dim>::Constraint constraint(mesh_, node, budget == nullptr);
+    const bool                               is_on_boundary = mesh_.freedom(node) != NodeFreedom::free;
     if (is_on_boundary)
       mesh_.boundary_facets(node, facets_);
+    normals_.clear();
+    if (budget != nullptr)
+      for (const auto &facet : facets_)
+        normals_.push_back(mesh_.normal_of(facet));
     update_gradients(node, constraint);
-    double smallest = *std::min_element(r_.begin(), r_.end()), proximal = 0.12;
-    bool   has_moved = false;
+    double         smallest = *std::min_element(r_.begin(), r_.end()), proximal = 0.12;
+    bool           has_moved = false;
+    const Vec<dim> start     = mesh_.position(node);
+    const auto     fits      = [&](const Vec<dim> &x) { // the volume is affine in one node's place
+      return mesh_.is_reachable(node, x) && (budget == nullptr || budget->allows(dot(constraint.area(), x - start)));
+    };
     for (unsigned int k = 0; k < most_evaluations && smallest < wanted; ++k)
       {
         Vec<dim>     step;
         const double predicted = model_step(proximal, smallest, step);
         if (!(predicted > least_gain))
           break;
-        const Vec<dim> before = mesh_.position(node), x = before + mesh_.within_reach(node, step);
-        const bool     is_better = evaluate(node, x, smallest + least_part * predicted);
+        const Vec<dim> before = mesh_.position(node), x = before + mesh_.within_reach(node, step, budget == nullptr);
+        const bool     is_better = fits(x) && evaluate(node, x, smallest + least_part * predicted);
         if (is_better)
           mesh_.move(node, x, new_r_);
-        if (is_better && is_on_boundary && !constraint.faces_outward(mesh_, facets_))
+        if (is_better && is_on_boundary && turns_facet(constraint, budget != nullptr))
           mesh_.move(node, before, r_);
         else if (is_better)
           {
@@ -109,7 +117,26 @@ namespace Breakwater
           }
         proximal *= 0.3;
       }
+    if (has_moved && budget != nullptr)
+      {
+        const double change = dot(constraint.area(), mesh_.position(node) - start);
+        budget->spend(change);
+        lifted_volume_ += change;
+        ++n_lifted_;
+      }
     return has_moved;
+  }
+
+
+  template <int dim>
+  bool NodeStep<dim>::turns_facet(const typename StarMesh<dim>::Constraint &constraint, const bool is_lifted) const
+  {
+    if (!is_lifted)
+      return !constraint.faces_outward(mesh_, facets_);
+    for (std::size_t k = 0; k < facets_.size(); ++k)
+      if (dot(mesh_.normal_of(facets_[k]), normals_[k]) < 0)
+        return true;
+    return false;
   }
 
 

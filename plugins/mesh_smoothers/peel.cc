@@ -30,19 +30,19 @@ namespace Breakwater
   template <int dim>
   Peel<dim>::Peel(StarMesh<dim> &mesh, const double largest_part)
     : mesh_(mesh)
+    , budget_(largest_part * mesh.volume())
   {
-    for (unsigned int c = 0; c < mesh.n_cells(); ++c)
-      if (mesh.is_alive(c))
-        allowed_volume_ += largest_part * signed_volume(mesh.corners_of(c));
   }
 
 
   template <int dim>
   void Peel<dim>::declare(ParameterReader &reader, double &largest_part)
   {
-    reader.add("Largest peel", largest_part,
-               "Slender cells of the free surface may be taken away up to this part of the mesh's volume [-].",
-               {0., 0.01});
+    reader.add(
+      "Largest peel", largest_part,
+      "Slender cells of the free surface may be taken away, and its nodes moved off it, up to this part of the "
+      "mesh's volume [-].",
+      {0., 0.01});
   }
 
 
@@ -74,59 +74,106 @@ namespace Breakwater
 
   // Between nodes on the line where surface and wall meet, the fluid draws back along the wall.
   template <int dim>
-  bool Peel<dim>::may_open(const Facet &facet)
+  bool Peel<dim>::may_open(const Facet &facet) const
   {
-    return has_surface_node<dim>(mesh_, facet) || std::all_of(facet.begin(), facet.end(), [&](const unsigned int node) {
-             if (mesh_.freedom(node) != NodeFreedom::slides_on_line)
-               return false;
-             mesh_.boundary_facets(node, around_);
-             return std::any_of(around_.begin(), around_.end(), [this](const Facet &other) {
-               return has_surface_node<dim>(mesh_, other);
-             });
+    return has_surface_node<dim>(mesh_, facet) ||
+           std::all_of(facet.begin(), facet.end(), [this](const unsigned int node) {
+             return is_on_surface(mesh_.freedom(node));
            });
   }
 
 
   template <int dim>
-  bool Peel<dim>::try_cell(const unsigned int c)
+  bool Peel<dim>::is_fixed(const Facet &facet) const
+  {
+    return std::all_of(facet.begin(), facet.end(), [this](const unsigned int node) {
+      return mesh_.freedom(node) == NodeFreedom::fixed;
+    });
+  }
+
+
+  template <int dim>
+  bool Peel<dim>::may_bare_wall(const Facet &facet) const
+  {
+    return std::any_of(facet.begin(), facet.end(), [this](const unsigned int node) {
+      return is_on_surface(mesh_.freedom(node));
+    });
+  }
+
+
+  template <int dim>
+  bool Peel<dim>::try_cell(const unsigned int c, const Limits &limits)
   {
     constexpr double largest_height = 0.35, thickest_film = 0.05;
     const auto       cell = mesh_.cell(c);
     for (const unsigned int node : cell)
       if (!mesh_.is_on_boundary(node) || mesh_.star(node).size() < 2)
         return false;
-    const double volume = signed_volume(mesh_.corners_of(c));
-    if (height(c) > largest_height * mesh_.spacing() || volume_ + volume > allowed_volume_)
+    if (height(c) > largest_height * mesh_.spacing() ||
+        !budget_.allows(-signed_volume(mesh_.corners_of(c)), limits.part))
       return false;
 
-    // A film between a wall and a node of the surface that hardly stands off it.
-    const bool is_film = height(c) <= thickest_film * mesh_.spacing() && has_surface_node<dim>(mesh_, cell) &&
-                         std::none_of(cell.begin(), cell.end(), [this](const unsigned int node) {
-                           return mesh_.freedom(node) == NodeFreedom::fixed;
-                         });
-
+    const bool         is_film = height(c) <= thickest_film * mesh_.spacing();
     std::vector<Facet> opened, closed;
+    sort_facets(c, opened, closed);
+    const bool may_open_all = std::all_of(closed.begin(), closed.end(), [&](const Facet &facet) {
+      return may_open(facet) || (is_film && !is_fixed(facet)) || (limits.may_bare_walls && may_bare_wall(facet));
+    });
+    if (closed.empty() || !may_open_all)
+      return false;
+    budget_.spend(-signed_volume(mesh_.corners_of(c)));
+    take(c, opened, closed);
+    return true;
+  }
+
+
+  template <int dim>
+  bool Peel<dim>::free_nodes(const unsigned int c)
+  {
+    const auto cell    = mesh_.cell(c);
+    const auto is_last = [this](const unsigned int node) {
+      return mesh_.star(node).size() == 1;
+    };
+    for (const unsigned int node : cell)
+      if (!is_on_surface(mesh_.freedom(node)))
+        return false;
+    const unsigned int n_last = std::count_if(cell.begin(), cell.end(), is_last);
+    const double       change = n_last == dim + 1 ? 0. : -signed_volume(mesh_.corners_of(c));
+    if (n_last == 0 || !budget_.allows(change))
+      return false;
+    std::vector<Facet> opened, closed;
+    sort_facets(c, opened, closed);
+    budget_.spend(change);
+    n_freed_ += n_last;
+    take(c, opened, closed);
+    return true;
+  }
+
+
+  template <int dim>
+  void Peel<dim>::sort_facets(const unsigned int c, std::vector<Facet> &opened, std::vector<Facet> &closed) const
+  {
     for (int a = 0; a <= dim; ++a)
       {
-        Facet facet = outward_facet<dim>(cell, a);
-        if (!is_exposed(c, facet))
-          {
-            std::swap(facet[0], facet[1]);
-            opened.push_back(rotated(facet));
-            continue;
-          }
-        if (!may_open(facet) && !is_film)
-          return false;
-        closed.push_back(rotated(facet));
+        Facet      facet    = outward_facet<dim>(mesh_.cell(c), a);
+        const bool is_outer = is_exposed(c, facet);
+        if (!is_outer)
+          std::swap(facet[0], facet[1]);
+        (is_outer ? closed : opened).push_back(rotated(facet));
       }
-    if (closed.empty())
-      return false;
+  }
+
+
+  template <int dim>
+  void Peel<dim>::take(const unsigned int c, const std::vector<Facet> &opened, const std::vector<Facet> &closed)
+  {
+    ++n_cells_;
+    volume_ += signed_volume(mesh_.corners_of(c));
+    for (const unsigned int node : mesh_.cell(c))
+      mesh_.note_bared(node);
     mesh_.remove(c);
     opened_.insert(opened_.end(), opened.begin(), opened.end());
     closed_.insert(closed_.end(), closed.begin(), closed.end());
-    ++n_cells_;
-    volume_ += volume;
-    return true;
   }
 
 
@@ -135,7 +182,7 @@ namespace Breakwater
   {
     bool has_peeled = false;
     for (const unsigned int c : mesh_.bad_cells())
-      has_peeled = try_cell(c) || has_peeled;
+      has_peeled = try_cell(c, {}) || has_peeled;
     return has_peeled;
   }
 
@@ -144,6 +191,7 @@ namespace Breakwater
   void Peel<dim>::finish(SmoothingReport &report)
   {
     report.n_peeled_cells = n_cells_;
+    report.n_freed_nodes  = n_freed_;
     report.peeled_volume  = volume_;
     if (n_cells_ == 0)
       return;

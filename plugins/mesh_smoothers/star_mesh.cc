@@ -16,6 +16,7 @@ namespace Breakwater
     , r_(mesh.cells.size())
     , rows_(position.size())
     , is_on_boundary_(position.size(), 0)
+    , is_bared_(position.size(), 0)
   {
     constexpr unsigned int spare = 6; // entries of each row for cells that come by flips
     for (const auto &cell : mesh.cells)
@@ -55,6 +56,17 @@ namespace Breakwater
       return r_[a] < r_[b] || (r_[a] == r_[b] && a < b);
     });
     return bad;
+  }
+
+
+  template <int dim>
+  double StarMesh<dim>::volume() const
+  {
+    double volume = 0;
+    for (unsigned int c = 0; c < n_cells(); ++c)
+      if (is_alive(c))
+        volume += signed_volume(corners_of(c));
+    return volume;
   }
 
 
@@ -159,6 +171,17 @@ namespace Breakwater
 
 
   template <int dim>
+  Vec<dim> StarMesh<dim>::normal_of(const Facet &facet) const
+  {
+    const Vec<dim> e = position(facet[1]) - position(facet[0]);
+    if constexpr (dim == 2)
+      return {{e[1], -e[0]}};
+    else
+      return cross(e, position(facet[2]) - position(facet[0]));
+  }
+
+
+  template <int dim>
   void StarMesh<dim>::boundary_facets(const unsigned int node, std::vector<Facet> &facets) const
   {
     // A facet that two cells have cancels; the key is the same for both.
@@ -183,24 +206,55 @@ namespace Breakwater
 
 
   template <int dim>
-  StarMesh<dim>::Constraint::Constraint(const StarMesh &mesh, const unsigned int node)
-    : is_fixed_(mesh.freedom(node) == NodeFreedom::fixed)
+  StarMesh<dim>::Constraint::Constraint(const StarMesh &mesh, const unsigned int node, const bool keeps_volume)
   {
-    if (!slides(mesh.freedom(node)))
+    const NodeFreedom freedom = mesh.freedom(node);
+    is_fixed_                 = freedom == NodeFreedom::fixed || (keeps_volume && freedom == NodeFreedom::ends_on_edge);
+    if (is_fixed_ || freedom == NodeFreedom::free)
       return;
     const auto unit = [](Vec<dim> vector, const double least) {
       const double length = norm(vector);
       vector *= length > least ? 1. / length : 0.;
       return vector;
     };
-    area_      = mesh.area_vector(node);
-    across_[0] = unit(area_, 0.);
-    if (mesh.freedom(node) == NodeFreedom::slides_on_line)
+    area_ = mesh.area_vector(node);
+    if (!keeps_volume && is_on_surface(freedom))
       {
-        // Where the area vector is the wall's normal, nothing tells where the line goes.
+        if (freedom == NodeFreedom::slides_on_line)
+          across_[0] = mesh.task_.wall_normal[node];
+        if (freedom == NodeFreedom::ends_on_edge)
+          set_direction(mesh.task_.wall_normal[node]);
+        return;
+      }
+    across_[0]          = unit(area_, 0.);
+    const bool is_bared = freedom == NodeFreedom::slides_on_wall && mesh.is_bared_[node];
+    if (freedom == NodeFreedom::slides_on_line || freedom == NodeFreedom::slides_on_edge || is_bared)
+      {
+        // Where the area vector is the wall's normal, nothing tells where a line goes; a bared node is still on the wall.
         const Vec<dim> &normal = mesh.task_.wall_normal[node];
         across_[1]             = unit(normal - across_[0] * dot(across_[0], normal), 1e-3);
-        is_fixed_              = dim == 2 || !(norm(across_[1]) > 0);
+        const bool has_two     = norm(across_[1]) > 0;
+        is_fixed_              = is_bared ? dim == 2 && has_two : dim == 2 || !has_two;
+      }
+  }
+
+
+  template <int dim>
+  void StarMesh<dim>::Constraint::set_direction(const Vec<dim> &direction)
+  {
+    if constexpr (dim == 2)
+      is_fixed_ = true; // two walls meet in a point
+    else
+      {
+        Vec<dim> other; // along the axis that is farthest from the direction
+        other[std::min_element(direction.c, direction.c + dim,
+                               [](const double a, const double b) {
+                                 return std::abs(a) < std::abs(b);
+                               }) -
+              direction.c] = 1;
+        across_[0]         = cross(direction, other);
+        across_[0] *= 1. / norm(across_[0]);
+        across_[1] = cross(direction, across_[0]);
       }
   }
 
@@ -208,18 +262,9 @@ namespace Breakwater
   template <int dim>
   bool StarMesh<dim>::Constraint::faces_outward(const StarMesh &mesh, const std::vector<Facet> &facets) const
   {
-    for (const Facet &facet : facets)
-      {
-        const Vec<dim> e = mesh.position(facet[1]) - mesh.position(facet[0]);
-        Vec<dim>       normal;
-        if constexpr (dim == 2)
-          normal = {{e[1], -e[0]}};
-        else
-          normal = cross(e, mesh.position(facet[2]) - mesh.position(facet[0]));
-        if (dot(normal, area_) < 0)
-          return false;
-      }
-    return true;
+    return std::all_of(facets.begin(), facets.end(), [&](const Facet &facet) {
+      return dot(mesh.normal_of(facet), area_) >= 0;
+    });
   }
 
 
@@ -243,7 +288,7 @@ namespace Breakwater
   {
     const Constraint constraint(*this, node);
     const Vec<dim>   step = within_reach(node, constraint.allowed_part(displacement)), before = position_[node];
-    if (!(norm(step) > 0))
+    if (!(norm(step) > 0) || !is_reachable(node, before + step))
       return false;
     new_r_.clear();
     position_[node] = before + step;
@@ -271,9 +316,9 @@ namespace Breakwater
 
 
   template <int dim>
-  Vec<dim> StarMesh<dim>::within_reach(const unsigned int node, const Vec<dim> &step) const
+  Vec<dim> StarMesh<dim>::within_reach(const unsigned int node, const Vec<dim> &step, const bool slides) const
   {
-    const double   reach  = (freedom(node) == NodeFreedom::slides_on_surface ? 0.3 : 0.5) * spacing();
+    const double   reach  = (slides && freedom(node) == NodeFreedom::slides_on_surface ? 0.3 : 0.5) * spacing();
     const Vec<dim> offset = position_[node] - start_[node];
     // |offset + t step| = reach
     const double a = dot(step, step), b = dot(offset, step), c = dot(offset, offset) - reach * reach;

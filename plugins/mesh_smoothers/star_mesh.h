@@ -45,6 +45,8 @@ namespace Breakwater
       return {entries_.data() + row.begin, entries_.data() + row.begin + row.size};
     }
 
+    double volume() const; ///< [m^dim]
+
     Simplex<dim> corners_of(const unsigned int c) const { return corners(position_, mesh_.cells[c]); }
 
     /// r of a cell with these corners.
@@ -71,9 +73,15 @@ namespace Breakwater
     /// above `least`, and no facet of the boundary turns over. @return whether it has moved
     bool try_move(unsigned int node, const Vec<dim> &displacement, double least);
 
-    /// As much of a step as keeps a node within 0.5 h of where it was before smoothing, 0.3 h on the free
+    /// As much of a step as keeps a node within 0.5 h of where it was before smoothing, 0.3 h where it slides on the free
     /// surface.
-    Vec<dim> within_reach(unsigned int node, const Vec<dim> &step) const;
+    Vec<dim> within_reach(unsigned int node, const Vec<dim> &step, bool slides = true) const;
+
+    /// False if a wall is in the way of a node of the boundary to a place.
+    bool is_reachable(const unsigned int node, const Vec<dim> &x) const
+    {
+      return !task_.is_reachable || freedom(node) == NodeFreedom::free || task_.is_reachable(node, x);
+    }
 
     /// Replaces cells by others that fill the same place; numbers of the new ones are put into `numbers`.
     void replace(const std::vector<unsigned int> &old_cells, const std::vector<Cell> &new_cells,
@@ -82,12 +90,19 @@ namespace Breakwater
     /// Takes a cell away.
     void remove(unsigned int c);
 
+    /// Notes that a node of a wall may have come to lie on the free surface, as a cell was taken off there.
+    void note_bared(const unsigned int node) { is_bared_[node] = 1; }
+
     /// Takes the part out of a vector that a node can't move along: nothing inside, the component along its area vector
-    /// on the boundary, that along the wall's normal as well on a line, all if it is fixed.
+    /// on the boundary, that along the wall's normal as well on a line or edge or where a wall has been bared, all if it is fixed. A node of the free
+    /// surface that need not keep the volume is kept by its wall only.
     class Constraint
     {
     public:
-      Constraint(const StarMesh &mesh, unsigned int node);
+      Constraint(const StarMesh &mesh, unsigned int node, bool keeps_volume = true);
+
+      /// dV/dx [m^(dim - 1)]; zero inside.
+      const Vec<dim> &area() const { return area_; }
 
       Vec<dim> allowed_part(const Vec<dim> &vector) const
       {
@@ -100,6 +115,8 @@ namespace Breakwater
       bool faces_outward(const StarMesh &mesh, const std::vector<Facet> &facets) const;
 
     private:
+      void set_direction(const Vec<dim> &direction); ///< the only one that a node can move along
+
       bool     is_fixed_;
       Vec<dim> area_;      ///< zero inside
       Vec<dim> across_[2]; ///< orthogonal to each other, unit length or zero
@@ -107,6 +124,9 @@ namespace Breakwater
 
     /// Area vector of a node, dV/dx [m^(dim - 1)]: it depends on its neighbours only.
     Vec<dim> area_vector(unsigned int node) const;
+
+    /// A normal of a facet of the boundary, out of the mesh, not of unit length.
+    Vec<dim> normal_of(const Facet &facet) const;
 
     /// The facets of the boundary that have a node, with their normals out of the mesh.
     void boundary_facets(unsigned int node, std::vector<Facet> &facets) const;
@@ -135,7 +155,7 @@ namespace Breakwater
     std::vector<Row>            rows_;
     std::vector<unsigned int>   entries_;
     std::vector<unsigned int>   dead_;
-    std::vector<char>           is_on_boundary_;
+    std::vector<char>           is_on_boundary_, is_bared_;
     std::vector<double>         new_r_;  ///< of a star, in try_move()
     std::vector<Facet>          facets_; ///< of the boundary, in try_move()
   };

@@ -18,6 +18,24 @@ namespace Breakwater
       return longest;
     }
 
+    /// True if a facet between three interface nodes is a needle: they lie in a row on an edge of a bent structure, and
+    /// no place of the fourth node makes the cell a good one. In 2D there are none.
+    template <int dim, class Cell>
+    bool has_needle(const Cell &cell, const Simplex<dim> &x, const std::size_t n_interface)
+    {
+      std::vector<Vec<dim>> corner;
+      for (int a = 0; a <= dim; ++a)
+        if (cell[a] < n_interface)
+          corner.push_back(x[a]);
+      if constexpr (dim == 3)
+        if (corner.size() == 3)
+          {
+            const Vec<3> e = corner[1] - corner[0], f = corner[2] - corner[0], g = f - e;
+            return norm(cross(e, f)) < 0.1 * std::max({dot(e, e), dot(f, f), dot(g, g)});
+          }
+      return false;
+    }
+
     /// Faces that all nodes of a cell have in common.
     template <class Cell>
     Contacts shared_by(const Cell &cell, const std::vector<Contacts> &faces)
@@ -93,6 +111,8 @@ namespace Breakwater
     if (is_near_surface && walls.separate(x))
       return false;
     if (are_held && signed_volume(x) < 0.02 * regular_volume<dim>(parameters_.spacing))
+      return false;
+    if (has_interface && !parameters_.mesh_smoothers.empty() && has_needle<dim>(cell, x, nodes_.n_interface))
       return false;
     return !has_interface || adopted_.accepts(cell, nodes_);
   }

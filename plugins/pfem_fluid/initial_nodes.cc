@@ -68,6 +68,7 @@ namespace Breakwater
     });
     RemeshRecord record;
     smooth_mesh(record);
+    set_initial_velocity();
     set_initial_pressure();
     update_volumes();
     classify_nodes();
@@ -127,12 +128,18 @@ namespace Breakwater
         const std::size_t i = nodes_.n_interface + k;
         const Vec<dim>   &x = place[order[k]];
         for (int d = 0; d < dim; ++d)
-          {
-            nodes_.xp[i][d] = x[d];
-            nodes_.v[i][d]  = finite_value(*initial.velocity_at, x, d, "Velocity");
-          }
+          nodes_.xp[i][d] = x[d];
         nodes_.contacts[i] = parameters_.walls.faces_at(x, 1e-9 * parameters_.spacing);
       }
+  }
+
+
+  template <int dim>
+  void PfemFluid<dim>::set_initial_velocity()
+  {
+    for (std::size_t i = nodes_.n_interface; i < nodes_.n; ++i)
+      for (int d = 0; d < dim; ++d)
+        nodes_.v[i][d] = finite_value(*parameters_.initial_state.velocity_at, nodes_.position(i), d, "Velocity");
   }
 
 

@@ -2,7 +2,6 @@
 #include "moved_nodes.h"
 #include "pfem_fluid.h"
 #include "remesh_record.h"
-#include "wall_surface.h"
 
 #include <breakwater/mesh/volume_operator.h>
 
@@ -15,6 +14,23 @@
 
 namespace Breakwater
 {
+  namespace
+  {
+    /// Makes the normal of a wall the direction of its edge with another. @return false if they are parallel
+    bool make_direction(Vec<2> &, const Vec<2> &)
+    {
+      return true;
+    }
+    bool make_direction(Vec<3> &normal, const Vec<3> &other)
+    {
+      normal              = cross(normal, other);
+      const double length = norm(normal);
+      normal *= length > 0 ? 1. / length : 0.;
+      return length > 0.1;
+    }
+  } // namespace
+
+
   template <int dim>
   void PfemFluid<dim>::smooth_mesh(RemeshRecord &record)
   {
@@ -28,15 +44,25 @@ namespace Breakwater
     unsmoothed_mesh_                      = mesh_;
     const std::vector<Vec<dim>>    before = position;
     std::vector<Vec<dim>>          wall_normal;
-    const std::vector<NodeFreedom> freedom = freedom_of_nodes(wall_normal);
-    SmoothingReport               &report  = record.smoothing;
+    const std::vector<NodeFreedom> freedom      = freedom_of_nodes(wall_normal);
+    SmoothingReport               &report       = record.smoothing;
+    const auto                     is_reachable = [&](const unsigned int i, const Vec<dim> &x) {
+      Vec<dim> place   = x;
+      Contacts unnoted = nodes_.contacts[i];
+      Quad     unused;
+      parameters_.walls.stop(before[i], place.c, unused.c, 0., unnoted);
+      return norm(place - x) <= 1e-5 * parameters_.spacing;
+    };
     for (std::size_t s = 0; s < parameters_.mesh_smoothers.size(); ++s)
       {
         const SmoothingReport one = parameters_.mesh_smoothers[s].smooth(
-          mesh_, position, {freedom, wall_normal, parameters_.spacing, parameters_.smoothing_target});
+          mesh_, position, {freedom, wall_normal, parameters_.spacing, parameters_.smoothing_target, is_reachable});
         report.n_flips += one.n_flips;
         report.n_peeled_cells += one.n_peeled_cells;
+        report.n_freed_nodes += one.n_freed_nodes;
+        report.n_lifted_nodes += one.n_lifted_nodes;
         report.peeled_volume += one.peeled_volume;
+        report.lifted_volume += one.lifted_volume;
         report.volume_change += one.volume_change;
       }
     measure_moves(before, position, report);
@@ -51,7 +77,10 @@ namespace Breakwater
   std::vector<NodeFreedom> PfemFluid<dim>::freedom_of_nodes(std::vector<Vec<dim>> &wall_normal)
   {
     classify_nodes();
-    find_wall_normals(wall_normal);
+    wall_normal.assign(nodes_.n, {});
+    const auto normal_of = [this](const unsigned int n, const std::size_t i, Vec<dim> &normal) {
+      return parameters_.walls.normal_at(*(nodes_.walls[i].begin() + n), nodes_.position(i), normal);
+    };
     std::vector<NodeFreedom> freedom(nodes_.n, NodeFreedom::fixed);
     for (std::size_t i = 0; i < nodes_.n; ++i)
       {
@@ -62,36 +91,17 @@ namespace Breakwater
         const auto n_walls    = std::distance(walls.begin(), walls.end());
         if (n_walls == 0)
           freedom[i] = is_surface ? NodeFreedom::slides_on_surface : NodeFreedom::free;
-        else if (n_walls == 1 && !is_surface)
-          freedom[i] = NodeFreedom::slides_on_wall;
-        else if (n_walls + is_surface == 2 && norm(wall_normal[i]) > 0)
-          freedom[i] = NodeFreedom::slides_on_line;
+        else if (n_walls == 1 && normal_of(0, i, wall_normal[i]))
+          freedom[i] = is_surface ? NodeFreedom::slides_on_line : NodeFreedom::slides_on_wall;
+        else if (n_walls == 2 && normal_of(0, i, wall_normal[i]))
+          {
+            freedom[i] = NodeFreedom::slides_on_edge;
+            Vec<dim> other;
+            if (is_surface && normal_of(1, i, other))
+              freedom[i] = make_direction(wall_normal[i], other) ? NodeFreedom::ends_on_edge : NodeFreedom::fixed;
+          }
       }
     return freedom;
-  }
-
-
-  // From the facets that the first of a node's walls closes.
-  template <int dim>
-  void PfemFluid<dim>::find_wall_normals(std::vector<Vec<dim>> &normal) const
-  {
-    normal.assign(nodes_.n, {});
-    for (const auto &facet : mesh_.boundary)
-      {
-        Contacts                  shared = nodes_.walls[facet[0]];
-        std::array<Vec<dim>, dim> x;
-        for (int a = 0; a < dim; ++a)
-          {
-            shared = common(shared, nodes_.walls[facet[a]]);
-            x[a]   = nodes_.position(facet[a]);
-          }
-        for (const unsigned int i : facet)
-          if (!shared.empty() && shared.has(*nodes_.walls[i].begin()))
-            normal[i] += area_vector<dim>(x);
-      }
-    for (Vec<dim> &n : normal)
-      if (const double length = norm(n); length > 0)
-        n *= 1. / length;
   }
 
 

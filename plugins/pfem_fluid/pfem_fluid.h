@@ -89,6 +89,7 @@ namespace Breakwater
     // initial_nodes.cc
     void make_initial_state();
     void place_initial_nodes();
+    void set_initial_velocity();
     void set_initial_pressure();
 
     // curved_walls.cc
@@ -141,7 +142,6 @@ namespace Breakwater
     // mesh_smoothing.cc
     void                     smooth_mesh(RemeshRecord &record);
     std::vector<NodeFreedom> freedom_of_nodes(std::vector<Vec<dim>> &wall_normal);
-    void                     find_wall_normals(std::vector<Vec<dim>> &normal) const;
     double                   spectral_bound_of_unsmoothed(); ///< [s]
     void                     move_to_smoothed(const std::vector<Vec<dim>> &position);
 

@@ -138,8 +138,10 @@ namespace Breakwater
     const std::function<bool(const typename SimplexMesh<dim>::Cell &)> &is_inside)
   {
     const std::vector<Vec<dim>> position = nodes_.positions();
+    // A smoother can't cure what lies between a wall and a node of the surface that stands hardly off it.
+    const double at_wall = (parameters_.mesh_smoothers.empty() ? 0.01 : 0.05) * parameters_.spacing;
     for (std::size_t i = 0; i < nodes_.n; ++i)
-      nodes_.walls[i] = parameters_.walls.faces_at(position[i], 0.01 * parameters_.spacing);
+      nodes_.walls[i] = parameters_.walls.faces_at(position[i], at_wall);
 
     std::vector<unsigned int> numbers(nodes_.n);
     std::iota(numbers.begin(), numbers.end(), 0u);

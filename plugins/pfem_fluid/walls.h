@@ -85,6 +85,12 @@ namespace Breakwater
     /// The same for an impulse [kg m/s], which the walls take.
     void mask_impulse(const double *x, double *impulse, const Contacts &contacts);
 
+    /// The unit normal of a face, into the fluid, at a place on it. @return false if the place is beside a bent face
+    bool normal_at(Contacts::Face face, const Vec<dim> &x, Vec<dim> &normal) const
+    {
+      return normal_at(faces_[face], x, normal);
+    }
+
     // --- cells ---
 
     /// True if an edge of the cell passes through a surface.

@@ -3,6 +3,7 @@
 #include <breakwater/base/plugin.h>
 #include <breakwater/mesh/simplex_mesh.h>
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -13,7 +14,9 @@ namespace Breakwater
   enum class NodeFreedom : char
   {
     fixed,             ///< stays: corners of walls, bent walls, interface, inflow
-    slides_on_line,    ///< on the line where a flat wall meets the free surface or another wall: along the wall, too
+    ends_on_edge,      ///< where the edge of two flat walls meets the free surface: stays, to keep the volume
+    slides_on_edge,    ///< on the edge of two flat walls
+    slides_on_line,    ///< on the line where a flat wall meets the free surface: along the wall, too
     slides_on_wall,    ///< on one flat wall
     slides_on_surface, ///< on the free surface
     free               ///< anywhere, as long as no cell is inverted: inside
@@ -21,17 +24,28 @@ namespace Breakwater
 
   constexpr bool slides(const NodeFreedom freedom)
   {
-    return freedom != NodeFreedom::fixed && freedom != NodeFreedom::free;
+    return freedom != NodeFreedom::fixed && freedom != NodeFreedom::ends_on_edge && freedom != NodeFreedom::free;
+  }
+
+  /// True on the free surface: if the volume may change, the node can move anywhere, or along its walls.
+  constexpr bool is_on_surface(const NodeFreedom freedom)
+  {
+    return freedom == NodeFreedom::ends_on_edge || freedom == NodeFreedom::slides_on_line ||
+           freedom == NodeFreedom::slides_on_surface;
   }
 
   /// What a smoother is asked for.
   template <int dim>
   struct SmoothingTask
   {
-    const std::vector<NodeFreedom> &freedom;      ///< of the nodes
-    const std::vector<Vec<dim>>    &wall_normal;  ///< at nodes that slide on a line, of a wall; unit length
-    double                          spacing;      ///< the wanted distance of nodes, h [m]
-    double                          target = 0.6; ///< wanted smallest insphere radius, in units of the regular cell's
+    const std::vector<NodeFreedom> &freedom;     ///< of the nodes
+    const std::vector<Vec<dim>>    &wall_normal; ///< at nodes that slide on a wall, an edge or a line; unit
+                                                 ///< length. At those that end on an edge, its direction
+    double spacing;                              ///< the wanted distance of nodes, h [m]
+    double target = 0.6;                         ///< wanted smallest insphere radius, in units of the regular cell's
+
+    /// Whether no wall is in the way of a node of the boundary to a place; empty: none ever is.
+    std::function<bool(unsigned int node, const Vec<dim> &x)> is_reachable = {};
   };
 
   /// What a smoother did.
@@ -40,9 +54,12 @@ namespace Breakwater
     unsigned int n_moved_nodes  = 0;
     unsigned int n_flips        = 0; ///< of edges
     unsigned int n_peeled_cells = 0; ///< taken off the surface
+    unsigned int n_freed_nodes  = 0; ///< that have lost their cells so
+    unsigned int n_lifted_nodes = 0; ///< moves of nodes of the surface that have changed the volume
     double       mean_move      = 0; ///< of the moved nodes [m]
     double       largest_move   = 0; ///< [m]
     double       peeled_volume  = 0; ///< of the peeled cells [m^dim]
+    double       lifted_volume  = 0; ///< what those moves have added [m^dim]
     double       volume_change  = 0; ///< of the mesh [m^dim]
     double       seconds        = 0; ///< CPU time
   };
@@ -73,9 +90,9 @@ namespace Breakwater
   void measure_moves(const std::vector<Vec<dim>> &before, const std::vector<Vec<dim>> &after, SmoothingReport &report);
 
   /// Checks what every smoother owes: no cell is inverted (the smallest signed insphere radius is not negative, or at
-  /// least what it was), fixed nodes stay, every node keeps a cell, `boundary` is that of the cells and the same as
-  /// before except for peeled cells, facets with a fixed node and none on the surface stay even so, and the volume is
-  /// kept to round-off but for that of peeled cells.
+  /// least what it was), fixed nodes stay, every node keeps a cell unless it slides on the surface and is counted,
+  /// `boundary` is that of the cells and the same as before except for peeled cells, facets between fixed
+  /// nodes (an interface) stay even so, and the volume is kept to round-off but for what the report says of it.
   /// @return the first violation in words, empty if there is none
   template <int dim>
   std::string smoothing_violation(const SimplexMesh<dim> &mesh_before, const std::vector<Vec<dim>> &before,

@@ -105,6 +105,11 @@ namespace
                                           original.task(0.5), report),
                       "")
               << name << " in " << dim << " dimensions, cloud " << seed;
+            if (!mesh.mesh.cells.empty())
+              {
+                EXPECT_GE(mesh.smallest_r(), original.smallest_r() * (1 - 1e-9))
+                  << name << " in " << dim << " dimensions, cloud " << seed;
+              }
           }
       }
     std::printf("%d dimensions: %u of %u clouds have cells\n", dim, n_meshes, n_clouds);

@@ -3,6 +3,7 @@
 #include <mesh_smoothers/elastic_analogy_then_getme.h>
 #include <mesh_smoothers/flips_and_optimization.h>
 #include <mesh_smoothers/getme.h>
+#include <mesh_smoothers/peel.h>
 
 #include <cmath>
 #include <cstdio>
@@ -39,6 +40,40 @@ namespace
     TestMesh<3> mesh = sliver();
     ElasticAnalogy<3>().smooth(mesh.mesh, mesh.position, mesh.task(0.7));
     EXPECT_GT(mesh.smallest_r(), 0.5);
+  }
+
+  // Four nodes of a splash that hang together with nothing else are droplets, if their cell is too flat.
+  TEST(FlipsAndOptimization, TakesAFlatCellOnItsOwnAway)
+  {
+    TestMesh<3> mesh = sliver();
+    mesh.freedom.assign(4, NodeFreedom::slides_on_surface);
+    const TestMesh<3> before = mesh;
+    const auto        report = FlipsAndOptimization<3>().smooth(mesh.mesh, mesh.position, mesh.task(0.7));
+    EXPECT_TRUE(mesh.mesh.cells.empty());
+    EXPECT_EQ(report.n_freed_nodes, 4u);
+    EXPECT_EQ(smoothing_violation(before.mesh, before.position, mesh.mesh, mesh.position, before.task(0.7), report),
+              "");
+  }
+
+  // The wall keeps a node whose wall has been bared beside it.
+  TEST(Peel, KeepsNodesOfBaredWallsOnTheWall)
+  {
+    Random       random(2);
+    TestMesh<3>  mesh = mesh_of_cloud<3>(jittered_lattice<3>(4, 0.2, random));
+    const auto   task = mesh.task(0.9);
+    StarMesh<3>  work(mesh.mesh, mesh.position, task);
+    unsigned int n_bared = 0;
+    for (unsigned int i = 0; i < mesh.position.size(); ++i)
+      if (mesh.freedom[i] == NodeFreedom::slides_on_wall)
+        {
+          work.remove(*work.star(i).begin());
+          work.note_bared(i);
+          const Vec<3> allowed = StarMesh<3>::Constraint(work, i).allowed_part({{0.3, 0.2, 1.}});
+          EXPECT_NEAR(allowed[2], 0., 1e-14);
+          EXPECT_NEAR(dot(allowed, work.area_vector(i)), 0., 1e-14);
+          ++n_bared;
+        }
+    EXPECT_GT(n_bared, 0u);
   }
 
   /// Smallest r before and after on a block of a jittered lattice, its floor at a wall.

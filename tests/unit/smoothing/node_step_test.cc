@@ -71,4 +71,26 @@ namespace
     expect_centred<2>({{0.25, 0}}, true);
     expect_centred<3>({{0.2, 0.15, 0}}, true);
   }
+
+  // A node of the surface right above the opposite corner: only a larger volume helps.
+  TEST(NodeStep, LiftsANodeOffTheSurfaceWithinTheBudget)
+  {
+    for (const double allowed : {0., 0.02, 10.})
+      {
+        TestMesh<3>  mesh   = star<3>({{0, 0, -0.9}}, true);
+        const double before = mesh.smallest_r(), volume = volume_of(mesh);
+        const auto   task = mesh.task(0.9);
+        StarMesh<3>  work(mesh.mesh, mesh.position, task);
+        NodeStep<3>  step(work);
+        VolumeBudget budget(allowed);
+        EXPECT_FALSE(step.improve(0, 10.));
+        EXPECT_EQ(step.lift(0, 10., budget), allowed > 0);
+        EXPECT_NEAR(volume_of(mesh), volume + step.lifted_volume(), 1e-14);
+        EXPECT_LE(step.lifted_volume(), allowed);
+        EXPECT_LE(norm(mesh.position[0] - Vec<3>{{0, 0, -0.9}}), 0.5 + 1e-12);
+        EXPECT_EQ(step.n_lifted(), allowed > 0 ? 1u : 0u);
+        const double gain = mesh.smallest_r() / before;
+        EXPECT_TRUE(allowed > 1 ? gain > 2 : gain < 2) << gain;
+      }
+  }
 } // namespace
