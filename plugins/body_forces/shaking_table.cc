@@ -20,7 +20,7 @@ namespace Breakwater
                Range::not_negative());
     reader.add("Table file", table_file_,
                "File with two columns, time [s] and acceleration [m/s^2], in place of the sine: linear in between, 0 "
-               "outside. Found from the folder in which the program was started.");
+               "outside. Its folder is that of the parameter file.");
   }
 
 
@@ -43,7 +43,7 @@ namespace Breakwater
     if (has_table)
       try
         {
-          table_ = TimeTable(table_file_);
+          table_ = TimeTable(reader.file_path(table_file_).string());
         }
       catch (const InputError &error)
         {

@@ -1,7 +1,6 @@
 #pragma once
 
-#include <string>
-#include <vector>
+#include <breakwater/base/timed_rows.h>
 
 namespace Breakwater
 {
@@ -11,14 +10,12 @@ namespace Breakwater
   public:
     TimeTable() = default;
 
-    /// Reads lines "time value" in two columns separated by blanks or a comma; what follows a # is a comment.
-    /// @throws InputError if the file can't be read, a line has another form, or the times don't increase
+    /// As read_timed_rows(), one value a line. @throws InputError
     explicit TimeTable(const std::string &file);
 
     double value(double time) const;
 
   private:
-    std::vector<double> times_; ///< increasing [s]
-    std::vector<double> values_;
+    TimedRows table_;
   };
 } // namespace Breakwater

@@ -4,9 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <regex>
-#include <sstream>
 
 namespace Breakwater
 {
@@ -39,47 +37,20 @@ namespace Breakwater
 
 
   MotionTable::MotionTable(const std::string &file, const unsigned int n_least, const unsigned int n_most)
+    : table_(read_timed_rows(file, n_least, n_most))
   {
-    std::ifstream stream(file);
-    if (!stream)
-      throw InputError("can't read the file \"" + file + "\"");
-    unsigned int number = 0;
-    for (std::string line; std::getline(stream, line);)
-      {
-        ++number;
-        line.erase(std::min(line.find('#'), line.size()));
-        std::replace(line.begin(), line.end(), ',', ' ');
-        std::istringstream  words(line);
-        std::vector<double> values;
-        std::string         rest;
-        for (double value; words >> value;)
-          values.push_back(value);
-        words.clear();
-        if (words >> rest || (!values.empty() && (values.size() < n_least + 1 || values.size() > n_most + 1)) ||
-            (!rows_.empty() && !values.empty() && values.size() != rows_.back().size() + 1))
-          throw InputError(file + ":" + std::to_string(number) + ": wanted the time and " + std::to_string(n_least) +
-                           " or " + std::to_string(n_most) + " numbers, as in all lines; headings start with #");
-        if (values.empty())
-          continue;
-        if (!times_.empty() && !(values.front() > times_.back()))
-          throw InputError(file + ":" + std::to_string(number) + ": the times must increase, but " +
-                           std::to_string(values.front()) + " s follows " + std::to_string(times_.back()) + " s");
-        times_.push_back(values.front());
-        rows_.emplace_back(values.begin() + 1, values.end());
-      }
-    if (times_.size() < 2)
-      throw InputError("the table \"" + file + "\" needs two lines or more, it has " + std::to_string(times_.size()));
   }
 
 
   // Slope of the parabola through a point and its neighbours; 0 at both ends, where the motion rests.
   double MotionTable::slope(const std::size_t k, const unsigned int c) const
   {
-    if (k == 0 || k + 1 == times_.size())
+    const auto &[times, rows] = table_;
+    if (k == 0 || k + 1 == times.size())
       return 0;
-    const double before = times_[k] - times_[k - 1], after = times_[k + 1] - times_[k];
-    const double slope_before = (rows_[k][c] - rows_[k - 1][c]) / before;
-    const double slope_after  = (rows_[k + 1][c] - rows_[k][c]) / after;
+    const double before = times[k] - times[k - 1], after = times[k + 1] - times[k];
+    const double slope_before = (rows[k][c] - rows[k - 1][c]) / before;
+    const double slope_after  = (rows[k + 1][c] - rows[k][c]) / after;
     return (after * slope_before + before * slope_after) / (before + after);
   }
 
@@ -87,15 +58,16 @@ namespace Breakwater
   // Cubic Hermite interpolation
   double MotionTable::value(const double time, const unsigned int c) const
   {
-    if (rows_.empty() || c >= rows_.front().size())
+    const auto &[times, rows] = table_;
+    if (rows.empty() || c >= rows.front().size())
       return 0;
-    if (time <= times_.front())
-      return rows_.front()[c];
-    if (time >= times_.back())
-      return rows_.back()[c];
-    const std::size_t k      = std::upper_bound(times_.begin(), times_.end(), time) - times_.begin() - 1;
-    const double      length = times_[k + 1] - times_[k], s = (time - times_[k]) / length;
-    return rows_[k][c] + (rows_[k + 1][c] - rows_[k][c]) * s * s * (3 - 2 * s) +
+    if (time <= times.front())
+      return rows.front()[c];
+    if (time >= times.back())
+      return rows.back()[c];
+    const std::size_t k      = std::upper_bound(times.begin(), times.end(), time) - times.begin() - 1;
+    const double      length = times[k + 1] - times[k], s = (time - times[k]) / length;
+    return rows[k][c] + (rows[k + 1][c] - rows[k][c]) * s * s * (3 - 2 * s) +
            length * s * (1 - s) * ((1 - s) * slope(k, c) - s * slope(k + 1, c));
   }
 

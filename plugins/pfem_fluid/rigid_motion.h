@@ -2,6 +2,7 @@
 
 #include <breakwater/base/expression.h>
 #include <breakwater/base/parameter_reader.h>
+#include <breakwater/base/timed_rows.h>
 #include <breakwater/base/vec.h>
 
 #include <array>
@@ -31,18 +32,16 @@ namespace Breakwater
   {
   public:
     MotionTable() = default;
-    /// Reads lines "t, value, value..." separated by blanks or commas; what follows a # is a comment.
-    /// @throws InputError if the file can't be read, a line has another number of values, or the times don't increase
+    /// As read_timed_rows(). @throws InputError
     MotionTable(const std::string &file, unsigned int n_least, unsigned int n_most);
 
-    bool   empty() const { return times_.empty(); }
+    bool   empty() const { return table_.times.empty(); }
     double value(double time, unsigned int column) const; ///< 0 where the file has no such column
 
   private:
     double slope(std::size_t row, unsigned int column) const;
 
-    std::vector<double>              times_; ///< [s]
-    std::vector<std::vector<double>> rows_;
+    TimedRows table_;
   };
 
   /// The motion of a wall as a law of time: a translation [m] and a rotation [rad], by expressions or by a table.

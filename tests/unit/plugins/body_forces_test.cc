@@ -194,10 +194,10 @@ namespace
     expect_in(message_about_table("0 1\n2 1\n1 0\n"),
               "table.txt:3: the times must increase, but 1.000000 s follows 2.000000 s");
     expect_in(message_about_table("0 1\n0 1\n"), "table.txt:2: the times must increase");
-    expect_in(message_about_table("time acceleration\n0 1\n"), "table.txt:1: wanted two numbers");
-    expect_in(message_about_table("0 1\n1 2 3\n"), "table.txt:2: wanted two numbers");
-    expect_in(message_about_table("0 1\n1\n"), "table.txt:2: wanted two numbers");
-    expect_in(message_about_table("0 1\n1 2x\n"), "table.txt:2: wanted two numbers");
+    expect_in(message_about_table("time acceleration\n0 1\n"), "table.txt:1: wanted the time and 1 number");
+    expect_in(message_about_table("0 1\n1 2 3\n"), "table.txt:2: wanted the time and 1 number");
+    expect_in(message_about_table("0 1\n1\n"), "table.txt:2: wanted the time and 1 number");
+    expect_in(message_about_table("0 1\n1 2x\n"), "table.txt:2: wanted the time and 1 number");
     expect_in(message_about_table("0 1\n"), "needs two lines or more, it has 1");
     expect_in(message_about_table(""), "needs two lines or more, it has 0");
     expect_in(message_about<ShakingTable>({{"Table file", testing::TempDir()}}), "Table file: ");
