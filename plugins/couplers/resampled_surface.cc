@@ -212,15 +212,14 @@ namespace Breakwater
       /// The node at (u, v) in units of the grid's facets.
       unsigned int at(const Grid &grid, const double u, const double v)
       {
-        const unsigned int  i = std::min<unsigned int>(u, grid.n[0] - 1), j = std::min<unsigned int>(v, grid.n[1] - 1);
-        const double        s = u - i, t = v - j;
+        const Shape         along = shape_at(grid, 0, u), across = dim == 2 ? Shape{0, {1.}} : shape_at(grid, 1, v);
         std::vector<Weight> weights;
-        for (unsigned int b = 0; b < (dim == 2 ? 1 : 2); ++b)
-          for (unsigned int a = 0; a < 2; ++a)
+        for (unsigned int b = 0; b < across.values.size(); ++b)
+          for (unsigned int a = 0; a < along.values.size(); ++a)
             {
-              const double weight = (a == 0 ? 1 - s : s) * (dim == 2 ? 1. : b == 0 ? 1 - t : t);
-              if (weight > 1e-9)
-                weights.push_back({grid.node[(j + b) * (grid.n[0] + 1) + i + a], weight});
+              const double weight = along.values[a] * across.values[b];
+              if (std::abs(weight) > 1e-9)
+                weights.push_back({grid.node[(across.first + b) * (grid.n[0] + 1) + along.first + a], weight});
             }
         std::sort(weights.begin(), weights.end(), [](const Weight &a, const Weight &b) {
           return a.node < b.node;
@@ -240,6 +239,39 @@ namespace Breakwater
       ResampledSurface<dim> result;
 
     private:
+      /// Shape functions along one direction of a grid: values of those of the nodes first, first + 1, ...
+      struct Shape
+      {
+        unsigned int        first;
+        std::vector<double> values;
+      };
+
+      /// True if a line of a grid, with this number in a direction, runs through the middle of elements.
+      bool is_middle_line(const Grid &grid, const unsigned int direction, const unsigned int line) const
+      {
+        if (owner_.is_middle.empty())
+          return false;
+        const unsigned int width = grid.n[0] + 1, n = dim == 2 ? 1 : grid.n[1 - direction] + 1;
+        for (unsigned int k = 0; k < n; ++k)
+          if (!owner_.is_middle[grid.node[direction == 0 ? k * width + line : line * width + k]])
+            return false;
+        return true;
+      }
+
+      /// Linear between two nodes, quadratic over three.
+      Shape shape_at(const Grid &grid, const unsigned int direction, const double u) const
+      {
+        const unsigned int i = std::min<unsigned int>(u, grid.n[direction] - 1);
+        for (const unsigned int middle : {i, i + 1})
+          if (middle > 0 && middle < grid.n[direction] && is_middle_line(grid, direction, middle) &&
+              !is_middle_line(grid, direction, middle - 1) && !is_middle_line(grid, direction, middle + 1))
+            {
+              const double s = (u - (middle - 1)) / 2;
+              return {middle - 1, {(1 - s) * (1 - 2 * s), 4 * s * (1 - s), s * (2 * s - 1)}};
+            }
+        return {i, {1 - (u - i), u - i}};
+      }
+
       void add(const std::vector<Weight> &weights)
       {
         Vec<dim> x, v, a, inverse_mass;
@@ -310,22 +342,23 @@ namespace Breakwater
         area[i] += norm(area_vector<dim>(resampled.surface, facet)) / facet.size();
     for (std::size_t i = 0; i < weights.size(); ++i)
       for (const auto &w : weights[i])
-        area_of_owner[w.node] += w.weight * area[i];
+        area_of_owner[w.node] += std::abs(w.weight) * area[i];
 
     // All of the mass by the areas, then as much of it that no node of the owner gives more than it may.
     carried.assign(weights.size(), 0.);
     for (std::size_t i = 0; i < weights.size(); ++i)
       for (const auto &w : weights[i])
-        carried[i] += owner.mass[w.node] * w.weight * area[i] / area_of_owner[w.node];
+        carried[i] += owner.mass[w.node] * std::abs(w.weight) * area[i] / area_of_owner[w.node];
     for (std::size_t i = 0; i < weights.size(); ++i)
       for (const auto &w : weights[i])
-        all[w.node] += w.weight * carried[i];
+        all[w.node] += std::max(0., w.weight) * carried[i];
     lent.assign(owner.position.size(), 0.);
     for (std::size_t i = 0; i < weights.size(); ++i)
       {
         double part = 1;
         for (const auto &w : weights[i])
-          part = std::min(part, owner.mass[w.node] / all[w.node]);
+          if (w.weight > 0)
+            part = std::min(part, owner.mass[w.node] / all[w.node]);
         carried[i] *= share * part;
         for (const auto &w : weights[i])
           lent[w.node] += w.weight * carried[i];

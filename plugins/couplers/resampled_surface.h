@@ -8,7 +8,8 @@
 namespace Breakwater
 {
   /// Nodes on the facets of an owner's surface, which move with it: x = sum of weight times x of the owner's nodes. The
-  /// weights of a node are positive and sum up to one, so that forces keep their sum, and their moment too.
+  /// weights of a node sum up to one, so that forces keep their sum, and their moment too. Some are negative on elements
+  /// of degree 2.
   template <int dim>
   struct ResampledSurface
   {
@@ -28,14 +29,15 @@ namespace Breakwater
 
   /// Nodes of another spacing [m], finer or coarser. The surface falls into patches at edges where its normal turns by
   /// more than 30 degrees; these edges stay. Each patch is a grid of facets and becomes a grid of about that spacing,
-  /// even in the numbers of the owner's facets.
+  /// even in the numbers of the owner's facets. On elements of degree 2 (`is_middle`) nodes lie on the curved surface.
   /// @throws InputError if a patch is not a grid
   template <int dim>
   ResampledSurface<dim> resample_surface(const WetSurface<dim> &owner, double spacing);
 
   /// Shares the owner's mass [kg]: `carried` is what each node carries of it, `lent` what each of the owner's nodes
   /// gives, with lent_k = sum over i of weight_ik carried_i, so that momentum is the same. A node of the owner gives at
-  /// most `share` of its mass, and exactly that where the nodes are copies.
+  /// most `share` of its mass, and exactly that where the nodes are copies. On elements of degree 2 it may get a little
+  /// instead; what is carried is always positive.
   template <int dim>
   void share_mass(const WetSurface<dim> &owner, const ResampledSurface<dim> &resampled, double share,
                   std::vector<double> &carried, std::vector<double> &lent);

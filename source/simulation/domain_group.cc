@@ -212,6 +212,7 @@ namespace Breakwater
     for (auto *field : {&surface_.position, &surface_.velocity, &surface_.acceleration, &surface_.inverse_mass})
       field->resize(exposed_.size());
     surface_.mass.assign(exposed_.size(), 0.);
+    surface_.is_middle.assign(exposed_.size(), 1);
     for (std::size_t w = 0; w < exposed_.size(); ++w)
       {
         const Node            &node  = nodes_[exposed_[w]];
@@ -221,7 +222,11 @@ namespace Breakwater
         surface_.acceleration[w]     = first.acceleration[node[0].node];
         surface_.inverse_mass[w]     = first.inverse_mass[node[0].node];
         for (const Slot &slot : node)
-          surface_.mass[w] += surface_of(slot).mass[slot.node];
+          {
+            const std::vector<char> &is_middle = surface_of(slot).is_middle;
+            surface_.mass[w] += surface_of(slot).mass[slot.node];
+            surface_.is_middle[w] = surface_.is_middle[w] && !is_middle.empty() && is_middle[slot.node];
+          }
         for (std::size_t s = 1; s < node.size(); ++s)
           for (int d = 0; d < dim; ++d)
             {

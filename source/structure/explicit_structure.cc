@@ -426,6 +426,20 @@ namespace Breakwater
               node = wet_index[node];
             }
         }
+    if (mesh_.degree == 2)
+      {
+        // Nodes of a cell stand in order, direction by direction: its corners are those with even numbers in each.
+        std::vector<char>  is_middle(mesh_.nodes.size(), 1);
+        const unsigned int n_cell_nodes = dim == 2 ? 9 : 27;
+        for (std::size_t k = 0; k < mesh_.cell_nodes.size(); ++k)
+          {
+            const unsigned int a = k % n_cell_nodes;
+            if (a % 3 != 1 && a / 3 % 3 != 1 && a / 9 != 1)
+              is_middle[mesh_.cell_nodes[k]] = 0;
+          }
+        for (const unsigned int node : wet_nodes_)
+          wet_surface_.is_middle.push_back(is_middle[node]);
+      }
     wet_surface_.position.resize(wet_nodes_.size());
     wet_surface_.velocity.resize(wet_nodes_.size());
     wet_surface_.acceleration.resize(wet_nodes_.size());

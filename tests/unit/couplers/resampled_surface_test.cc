@@ -152,6 +152,91 @@ namespace
   }
 
 
+  /// A quarter of a circle of radius 1 m in elements of degree 2, in 3D that of a cylinder 0.5 m high.
+  template <int dim>
+  WetSurface<dim> arc(const unsigned int n_elements)
+  {
+    WetSurface<dim>    surface;
+    const unsigned int n_layers = dim == 2 ? 1 : 3;
+    for (unsigned int k = 0; k < n_layers; ++k)
+      for (unsigned int i = 0; i <= 2 * n_elements; ++i)
+        {
+          const double angle = i * M_PI / (4. * n_elements);
+          Vec<dim>     x;
+          x[0] = std::cos(angle);
+          x[1] = std::sin(angle);
+          if constexpr (dim == 3)
+            x[2] = 0.25 * k;
+          node_at(surface, x);
+          surface.is_middle.push_back(i % 2 == 1 || k == 1);
+        }
+    const unsigned int width = 2 * n_elements + 1;
+    for (unsigned int i = 0; i + 1 < width; ++i)
+      {
+        if constexpr (dim == 2)
+          surface.facets.push_back({i, i + 1});
+        else
+          for (unsigned int k = 0; k < 2; ++k)
+            surface.facets.push_back({k * width + i, k * width + i + 1, (k + 1) * width + i + 1, (k + 1) * width + i});
+      }
+    return surface;
+  }
+
+  /// Largest distance of the nodes of another spacing from the circle [m].
+  template <int dim>
+  double error_of_arc(const unsigned int n_elements, const bool is_linear)
+  {
+    WetSurface<dim> owner = arc<dim>(n_elements);
+    if (is_linear)
+      owner.is_middle.clear();
+    double largest = 0;
+    for (const auto &x : resample_surface(owner, 0.03).surface.position)
+      largest = std::max(largest, std::abs(std::hypot(x[0], x[1]) - 1));
+    return largest;
+  }
+
+  TEST(ResampledSurface, NodesOnElementsOfDegreeTwoLieOnTheCurvedSurface)
+  {
+    for (const unsigned int n : {2, 4})
+      {
+        EXPECT_GT(error_of_arc<2>(n, false) / error_of_arc<2>(2 * n, false), 12);
+        EXPECT_GT(error_of_arc<3>(n, false) / error_of_arc<3>(2 * n, false), 12);
+        EXPECT_LT(error_of_arc<2>(n, true) / error_of_arc<2>(2 * n, true), 5);
+        EXPECT_LT(error_of_arc<2>(n, false), 0.1 * error_of_arc<2>(n, true));
+      }
+  }
+
+
+  TEST(ResampledSurface, MassOnElementsOfDegreeTwoIsPositiveAndSharedWithItsMomentum)
+  {
+    const WetSurface<3> owner = arc<3>(3);
+    for (const double spacing : {0.04, 0.11, 0.3, 0.8})
+      {
+        const auto          resampled = resample_surface(owner, spacing);
+        std::vector<double> carried, lent(owner.mass.size()), momentum(owner.mass.size());
+        share_mass(owner, resampled, 0.5, carried, lent);
+        for (std::size_t i = 0; i < carried.size(); ++i)
+          {
+            EXPECT_GT(carried[i], 0);
+            double sum = 0;
+            for (const auto &w : resampled.weights[i])
+              {
+                momentum[w.node] += w.weight * carried[i];
+                sum += w.weight;
+              }
+            EXPECT_NEAR(sum, 1, 1e-14);
+          }
+        for (std::size_t k = 0; k < lent.size(); ++k)
+          {
+            EXPECT_NEAR(lent[k], momentum[k], 1e-14);
+            EXPECT_LE(lent[k], 0.5 * owner.mass[k] * (1 + 1e-14));
+          }
+        EXPECT_GT(std::accumulate(lent.begin(), lent.end(), 0.),
+                  0.05 * std::accumulate(owner.mass.begin(), owner.mass.end(), 0.));
+      }
+  }
+
+
   // With the multipliers the velocities at all places are the same, and momentum is what it was.
   TEST(InterfaceProblem, MakesVelocitiesTheSame)
   {
