@@ -114,25 +114,6 @@ namespace Breakwater
       }
 
       template <int dim>
-      void exchange_operator(const unsigned int *cells, const std::size_t n_cells, const double *cell_weight,
-                             const double *psi, const double *active, double *image)
-      {
-        for (std::size_t c = 0; c < n_cells; ++c)
-          {
-            const unsigned int *cell = cells + c * (dim + 1);
-            double              n = 0, sum = 0;
-            for (int a = 0; a <= dim; ++a)
-              {
-                n += active[cell[a]];
-                sum += active[cell[a]] * psi[cell[a]];
-              }
-            const double mean = n > 0 ? sum / n : 0.;
-            for (int a = 0; a <= dim; ++a)
-              image[cell[a]] += cell_weight[c] * active[cell[a]] * (psi[cell[a]] - mean);
-          }
-      }
-
-      template <int dim>
       void exchange_requests(const unsigned int *cells, const std::size_t n_cells, const double *cell_weight,
                              const double *psi, const double *active, Quad *request, double *given, double *taken)
       {
@@ -194,6 +175,50 @@ namespace Breakwater
       }
 
       template <int dim>
+      unsigned int pairs_around(const unsigned int *cells, const unsigned int *corners, const std::size_t n_corners,
+                                const Quad *x, const char *active, const unsigned int first, unsigned int *place_of,
+                                unsigned int *around, Quad *sum, Quad *own)
+      {
+        constexpr std::size_t ahead    = 24; // corners, about those of one node
+        unsigned int          n_around = 0;
+        V4                    total    = all(0.);
+        for (std::size_t k = 0; k < n_corners; ++k)
+          {
+            __builtin_prefetch(cells + corners[k + ahead] / (dim + 1) * (dim + 1));
+            const unsigned int *cell = cells + corners[k] / (dim + 1) * (dim + 1), a = corners[k] % (dim + 1);
+            unsigned int        facet[dim];
+            for (unsigned int b = 0; b < dim; ++b)
+              facet[b] = cell[(a + 1 + b) % (dim + 1)];
+            const V4 x0 = load(x[facet[0]]), e1 = load(x[facet[1]]) - x0;
+            V4       A;
+            if constexpr (dim == 2)
+              A = V4{-0.5 * e1[1], 0.5 * e1[0], 0., 0.};
+            else // inwards, if the order of the facet's corners is made that of the cell
+              A = cross(e1, load(x[facet[2]]) - x0) * all(a % 2 == 0 ? -1. / 6. : 1. / 6.);
+            int n_active = active[cell[a]];
+            for (const unsigned int i : facet)
+              n_active += active[i];
+            const double volume = dot3(A, load(x[cell[a]]) - x0);
+            A[3]                = (volume < 0 ? -volume : volume) * (0.5 / (dim + 1)) / (n_active > 0 ? n_active : 1);
+            for (const unsigned int i : facet)
+              {
+                const unsigned int place = place_of[i];
+                if (place > first)
+                  store(sum[place - first - 1], load(sum[place - first - 1]) + A);
+                else
+                  {
+                    around[n_around] = i;
+                    store(sum[n_around], A);
+                    place_of[i] = first + ++n_around;
+                  }
+              }
+            total += A;
+          }
+        store(*own, total);
+        return n_around;
+      }
+
+      template <int dim>
       double largest_relative_displacement(const unsigned int *cells, const std::size_t n_cells, const Quad *x,
                                            const Quad *x0)
       {
@@ -228,9 +253,9 @@ namespace Breakwater
       set_filter_pass<dim>(passes);
       passes.volumes                       = volumes<dim>;
       passes.velocity_gradients            = velocity_gradients<dim>;
-      passes.exchange_operator             = exchange_operator<dim>;
       passes.exchange_requests             = exchange_requests<dim>;
       passes.exchange_transfers            = exchange_transfers<dim>;
+      passes.pairs_around                  = pairs_around<dim>;
       passes.largest_relative_displacement = largest_relative_displacement<dim>;
       return passes;
     }

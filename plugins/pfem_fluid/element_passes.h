@@ -51,12 +51,8 @@ namespace Breakwater
     void (*filter_impulses)(const unsigned int *cells, std::size_t n_cells, const FilterWeights &weights,
                             const Quad *xp, const Quad *v, const Quad *gradient, const double *node_density,
                             const double *inverse_mass, Quad *impulse);
-    /// Adds the operator of the mass exchange: weight (psi_a - mean psi) over the corners that take part (`active` 1,
-    /// else 0).
-    void (*exchange_operator)(const unsigned int *cells, std::size_t n_cells, const double *cell_weight,
-                              const double *psi, const double *active, double *image);
     /// First half of the mass exchange: `request` [cell][corner] is what each corner would get,
-    /// -weight (psi_a - mean psi) over the corners that take part; `given` and `taken` add up what nodes give and get.
+    /// -weight (psi_a - mean psi) over the corners that take part (`active` 1, else 0); `given` and `taken` add up what nodes give and get.
     void (*exchange_requests)(const unsigned int *cells, std::size_t n_cells, const double *cell_weight,
                               const double *psi, const double *active, Quad *request, double *given, double *taken);
     /// Second half: moves the requested mass, scaled by the least `part` of the cell's donors. The velocity that goes
@@ -64,6 +60,17 @@ namespace Breakwater
     /// corners, at most 1. `v` has 1 in its fourth component; `received` gets momentum, and mass in the fourth.
     void (*exchange_transfers)(const unsigned int *cells, std::size_t n_cells, const Quad *request, const double *part,
                                const double *turnover, const Quad *v, Quad *received);
+    /// Sums over the cells that a node shares with each of its neighbours; see NodePairs.
+    /// @param corners of the cells at the node: corner a of cell c as c (dim + 1) + a
+    /// @param active nodes count for the mass exchange
+    /// @param place_of of all nodes; those greater than `first` are the neighbours that are known already
+    /// @param around the neighbours found, each `place_of` - first - 1 of them; room for dim n_corners
+    /// @param sum for each neighbour, of A_k, and in the fourth component of |V_c| / (2 (dim + 1) n_c); room as well
+    /// @param own the same over all cells of the node
+    /// @return number of neighbours
+    unsigned int (*pairs_around)(const unsigned int *cells, const unsigned int *corners, std::size_t n_corners,
+                                 const Quad *x, const char *active, unsigned int first, unsigned int *place_of,
+                                 unsigned int *around, Quad *sum, Quad *own);
     double (*largest_relative_displacement)(const unsigned int *cells, std::size_t n_cells, const Quad *x,
                                             const Quad *x0);
   };

@@ -114,6 +114,9 @@ namespace Breakwater
     /// act on it, nothing else moves it or changes its mass.
     bool is_driven(const std::size_t i) const { return i < n_interface || inflow[i] != 0; }
 
+    /// True if the node takes part in the mass exchange.
+    bool exchanges_mass(const std::size_t i) const { return has_cells[i] && !is_driven(i); }
+
     Vec<dim> position(const std::size_t i) const { return vec(xp[i]); }
     Vec<dim> velocity(const std::size_t i) const { return vec(v[i]); }
 

@@ -79,7 +79,7 @@ namespace Breakwater
           nodes_.mass[i] = nodes_.density[i] * regular_volume<dim>(parameters_.size(nodes_.position(i)));
       }
     find_slip_neighbours();
-    set_references();
+    set_references(NodePairs<dim>(nodes_, mesh_.cells));
     update_pressure();
     update_forces();
     accelerate(0);

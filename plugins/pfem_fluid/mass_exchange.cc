@@ -17,14 +17,14 @@ namespace Breakwater
     public:
       using Cells = std::vector<typename SimplexMesh<dim>::Cell>;
 
-      MassExchange(FluidNodes<dim> &nodes, const Cells &cells, const double reference_density, const double spacing,
-                   const ExchangeControl &control)
+      MassExchange(FluidNodes<dim> &nodes, const Cells &cells, const NodePairs<dim> &pairs,
+                   const double reference_density, const double spacing, const ExchangeControl &control)
         : nodes_(nodes)
         , cells_(cells)
+        , pairs_(pairs)
         , control_(control)
         , least_mass_(0.05 * reference_density * regular_volume<dim>(spacing))
         , least_volume_(0.1 * regular_volume<dim>(spacing))
-        , cell_weight_(cells.size())
         , takes_part_(nodes.n)
         , volume_(nodes.n)
         , excess_(nodes.n)
@@ -32,15 +32,13 @@ namespace Breakwater
         , direction_(nodes.n)
         , image_(nodes.n)
       {
-        for (std::size_t c = 0; c < cells.size(); ++c)
-          cell_weight_[c] = std::abs(signed_volume(nodes.corners(cells[c]))) / (2 * (dim + 1));
       }
 
       ExchangeReport run(const std::vector<double> &potential, const double allowed_work)
       {
         for (std::size_t i = 0; i < nodes_.n; ++i)
           {
-            const bool takes_part = nodes_.has_cells[i] && !nodes_.is_driven(i);
+            const bool takes_part = nodes_.exchanges_mass(i);
             takes_part_[i]        = takes_part ? 1. : 0.;
             volume_[i]            = takes_part ? std::max(nodes_.volume[i], least_volume_) : 0.;
             excess_[i]            = takes_part ? nodes_.mass[i] - nodes_.density[i] * nodes_.volume[i] : 0.;
@@ -69,15 +67,17 @@ namespace Breakwater
       }
 
     private:
-      /// (L + V decay) psi = m - rho V by conjugate gradients with L's diagonal, about V / 2, from psi and its residual.
+      /// (L + V decay) psi = m - rho V by conjugate gradients with its diagonal, from psi and its residual.
       unsigned int solve(const double decay)
       {
-        const std::size_t n      = nodes_.n;
-        const double      scale  = 1. / (0.5 + decay);
-        double            square = 0, product = 0, square_mass = 0;
+        const std::size_t   n = nodes_.n;
+        std::vector<double> diagonal(n), inverse(n);
+        double              square = 0, product = 0, square_mass = 0;
         for (std::size_t i = 0; i < n; ++i)
           {
-            direction_[i] = volume_[i] > 0 ? scale * residual_[i] / volume_[i] : 0.;
+            diagonal[i]   = pairs_.conductance_sums()[i] + volume_[i] * decay;
+            inverse[i]    = diagonal[i] > 0 ? 1. / diagonal[i] : 0.;
+            direction_[i] = inverse[i] * residual_[i];
             product += residual_[i] * direction_[i];
             square += residual_[i] * residual_[i];
             square_mass += takes_part_[i] * nodes_.mass[i] * nodes_.mass[i];
@@ -86,16 +86,7 @@ namespace Breakwater
         unsigned int k      = 0;
         for (; k < control_.n_iterations && square > enough; ++k)
           {
-            std::fill(image_.begin(), image_.end(), 0.);
-            element_passes<dim>().exchange_operator(cells_.front().data(), cells_.size(), cell_weight_.data(),
-                                                    direction_.data(), takes_part_.data(), image_.data());
-            double curvature = 0;
-            for (std::size_t i = 0; i < n; ++i)
-              {
-                image_[i] += volume_[i] * decay * direction_[i];
-                curvature += direction_[i] * image_[i];
-              }
-            const double step = product / curvature;
+            const double step = product / pairs_.exchange(diagonal, direction_, image_);
             double       next = 0;
             square            = 0;
             for (std::size_t i = 0; i < n; ++i)
@@ -103,11 +94,10 @@ namespace Breakwater
                 psi_[i] += step * direction_[i];
                 residual_[i] -= step * image_[i];
                 square += residual_[i] * residual_[i];
-                image_[i] = volume_[i] > 0 ? scale * residual_[i] / volume_[i] : 0.;
-                next += residual_[i] * image_[i];
+                next += residual_[i] * inverse[i] * residual_[i];
               }
             for (std::size_t i = 0; i < n; ++i)
-              direction_[i] = image_[i] + next / product * direction_[i];
+              direction_[i] = inverse[i] * residual_[i] + next / product * direction_[i];
             product = next;
           }
         return k;
@@ -126,9 +116,12 @@ namespace Breakwater
       void carry_out()
       {
         std::vector<double> part(nodes_.n, 0.), turnover(nodes_.n, 0.);
+        std::vector<double> cell_weight(cells_.size());
         std::vector<Quad>   request(cells_.size()), received(nodes_.n);
+        for (std::size_t c = 0; c < cells_.size(); ++c)
+          cell_weight[c] = std::abs(signed_volume(nodes_.corners(cells_[c]))) / (2 * (dim + 1));
         const auto         &passes = element_passes<dim>();
-        passes.exchange_requests(cells_.front().data(), cells_.size(), cell_weight_.data(), psi_.data(),
+        passes.exchange_requests(cells_.front().data(), cells_.size(), cell_weight.data(), psi_.data(),
                                  takes_part_.data(), request.data(), part.data(), turnover.data());
         for (std::size_t i = 0; i < nodes_.n; ++i)
           {
@@ -153,28 +146,29 @@ namespace Breakwater
 
       FluidNodes<dim>      &nodes_;
       const Cells          &cells_;
+      const NodePairs<dim> &pairs_;
       const ExchangeControl control_;
       const double          least_mass_;   ///< that a donor keeps [kg]
       const double          least_volume_; ///< in the operator [m^dim]
-      std::vector<double>   cell_weight_, takes_part_, volume_, excess_, psi_, residual_, direction_, image_;
+      std::vector<double>   takes_part_, volume_, excess_, psi_, residual_, direction_, image_;
     };
   } // namespace
 
 
   template <int dim>
   ExchangeReport exchange_mass(FluidNodes<dim> &nodes, const std::vector<typename SimplexMesh<dim>::Cell> &cells,
-                               const std::vector<double> &potential, const double allowed_work,
-                               const double reference_density, const double spacing, const ExchangeControl &control)
+                               const NodePairs<dim> &pairs, const std::vector<double> &potential,
+                               const double allowed_work, const double reference_density, const double spacing, const ExchangeControl &control)
   {
     if (cells.empty() || control.n_iterations == 0)
       return {};
-    return MassExchange<dim>(nodes, cells, reference_density, spacing, control).run(potential, allowed_work);
+    return MassExchange<dim>(nodes, cells, pairs, reference_density, spacing, control).run(potential, allowed_work);
   }
 
   template ExchangeReport exchange_mass<2>(FluidNodes<2> &, const std::vector<SimplexMesh<2>::Cell> &,
-                                           const std::vector<double> &, double, double, double,
+                                           const NodePairs<2> &, const std::vector<double> &, double, double, double,
                                            const ExchangeControl &);
   template ExchangeReport exchange_mass<3>(FluidNodes<3> &, const std::vector<SimplexMesh<3>::Cell> &,
-                                           const std::vector<double> &, double, double, double,
+                                           const NodePairs<3> &, const std::vector<double> &, double, double, double,
                                            const ExchangeControl &);
 } // namespace Breakwater

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "fluid_nodes.h"
+#include "node_pairs.h"
 
 #include <breakwater/mesh/simplex_mesh.h>
 
@@ -34,10 +34,11 @@ namespace Breakwater
   /// In splashes it is mass that surfaces have packed into the fluid, and carrying that far away would let the water
   /// fall: near, and the position correction makes room for it. So psi is that of the near reach and as much of the
   /// difference to the far one as changes the potential energy by `allowed_work` at most.
+  /// @param pairs of the nodes and cells
   /// @param potential of the nodes [J/kg]
   /// @param allowed_work [J]
   template <int dim>
   ExchangeReport exchange_mass(FluidNodes<dim> &nodes, const std::vector<typename SimplexMesh<dim>::Cell> &cells,
-                               const std::vector<double> &potential, double allowed_work, double reference_density,
-                               double spacing, const ExchangeControl &control);
+                               const NodePairs<dim> &pairs, const std::vector<double> &potential, double allowed_work,
+                               double reference_density, double spacing, const ExchangeControl &control);
 } // namespace Breakwater

@@ -3,7 +3,6 @@
 #include "pfem_fluid.h"
 #include "remesh_record.h"
 
-#include <breakwater/mesh/volume_operator.h>
 
 #include <algorithm>
 #include <cmath>
@@ -135,7 +134,7 @@ namespace Breakwater
     std::vector<double> inertia(nodes_.n);
     for (std::size_t i = 0; i < nodes_.n; ++i)
       inertia[i] = nodes_.inertia(i);
-    const std::vector<double> row_sums = volume_operator_row_sums(mesh_, nodes_.positions(), inertia);
+    const std::vector<double> row_sums = NodePairs<dim>(nodes_, mesh_.cells).row_sums(inertia);
     double                    largest  = 0;
     for (std::size_t i = 0; i < nodes_.n; ++i)
       {

@@ -5,6 +5,7 @@
 #include "gaps.h"
 #include "interface_slip.h"
 #include "kernels.h"
+#include "node_pairs.h"
 #include "pfem_parameters.h"
 #include "structure_contact.h"
 
@@ -126,9 +127,9 @@ namespace Breakwater
     void   shift_to_centroids();
     void   find_slip_neighbours();
     void   correct_volumes(double energy, RemeshRecord &record);
-    void   exchange(RemeshRecord &record);
+    void   exchange(const NodePairs<dim> &pairs, RemeshRecord &record);
     void   sort_nodes();
-    void   set_references();
+    void   set_references(const NodePairs<dim> &pairs);
     double softened_volume(std::size_t node, double row_sum) const; ///< Vhat [m^dim]
     void   set_cell_stiffness();
     void   update_time_step_bound(const std::vector<Vec<dim>> &position, const std::vector<double> &inertia,

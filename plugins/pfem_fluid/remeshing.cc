@@ -1,13 +1,13 @@
 #include "alpha_shape.h"
 #include "fluid_cells.h"
 #include "mass_exchange.h"
+#include "node_pairs.h"
 #include "pfem_fluid.h"
 #include "remesh_record.h"
 #include "volume_conservation.h"
 
 #include <breakwater/base/exceptions.h>
 #include <breakwater/mesh/quality.h>
-#include <breakwater/mesh/volume_operator.h>
 
 #include <algorithm>
 #include <cmath>
@@ -70,9 +70,10 @@ namespace Breakwater
         nodes_.base_density[i] = at_surface ? std::max(nodes_.density[i], reference_density) : nodes_.density[i];
         nodes_.density[i]      = nodes_.base_density[i];
       }
-    exchange(record);
+    const NodePairs<dim> pairs(nodes_, mesh_.cells);
+    exchange(pairs, record);
     find_slip_neighbours();
-    set_references();
+    set_references(pairs);
     update_pressure();
 
     // Interface nodes keep the acceleration that they share with their companions.
@@ -238,7 +239,7 @@ namespace Breakwater
 
 
   template <int dim>
-  void PfemFluid<dim>::exchange(RemeshRecord &record)
+  void PfemFluid<dim>::exchange(const NodePairs<dim> &pairs, RemeshRecord &record)
   {
     /// Work that the far exchange may do at a remesh: what lifts the fluid by this part of a spacing.
     constexpr double    allowed_lift = 1e-4;
@@ -252,10 +253,10 @@ namespace Breakwater
       }
     // In a splash hardly anything goes far: it is tried now and then.
     ExchangeControl control = parameters_.exchange;
-    if (far_part_ < 0.05 && n_remeshes_ % 4 != 0)
+    if (far_part_ < 0.3 && n_remeshes_ % 4 != 0)
       control.far_reach = 0;
     record.exchange = exchange_mass<dim>(
-      nodes_, mesh_.cells, potential, allowed_lift * parameters_.spacing * mass * largest_body_acceleration(),
+      nodes_, mesh_.cells, pairs, potential, allowed_lift * parameters_.spacing * mass * largest_body_acceleration(),
       parameters_.equation_of_state.front().reference_density(), parameters_.spacing, control);
     if (control.far_reach > 0)
       far_part_ = record.exchange.far_part;
@@ -325,7 +326,7 @@ namespace Breakwater
 
 
   template <int dim>
-  void PfemFluid<dim>::set_references()
+  void PfemFluid<dim>::set_references(const NodePairs<dim> &pairs)
   {
     collect_rim_facets();
     const EquationOfState &state = parameters_.equation_of_state.front();
@@ -333,7 +334,7 @@ namespace Breakwater
     for (std::size_t i = 0; i < nodes_.n; ++i)
       inertia[i] = nodes_.inertia(i);
     const std::vector<Vec<dim>> position = nodes_.positions();
-    const std::vector<double>   row_sums = volume_operator_row_sums(mesh_, position, inertia);
+    const std::vector<double>   row_sums = pairs.row_sums(inertia);
 
     n_softened_    = 0;
     double largest = 0; // of W_i b_i, the squared nodal frequencies

@@ -274,14 +274,6 @@ TYPED_TEST(Passes, BothInstructionSetsAgree)
       EXPECT_NEAR(given[i], other[i], 1e-12);
       EXPECT_NEAR(taken[i], other_taken[i], 1e-12);
     }
-  std::vector<double> image(t.x.size()), other_image(t.x.size());
-  one.exchange_operator(cells, n_cells, weight.data(), excess.data(), active.data(), image.data());
-  two.exchange_operator(cells, n_cells, weight.data(), excess.data(), active.data(), other_image.data());
-  for (std::size_t i = 0; i < image.size(); ++i)
-    {
-      EXPECT_NEAR(image[i], other_image[i], 1e-12);
-      EXPECT_NEAR(image[i], given[i] - taken[i], 1e-12);
-    }
   one.exchange_transfers(cells, n_cells, request.data(), part.data(), turnover.data(), momentum.data(),
                          received.data());
   two.exchange_transfers(cells, n_cells, request.data(), part.data(), turnover.data(), momentum.data(),
@@ -290,6 +282,23 @@ TYPED_TEST(Passes, BothInstructionSetsAgree)
   for (std::size_t i = 0; i < received.size(); ++i)
     EXPECT_NEAR(received[i][3], other_received[i][3], 1e-12);
   EXPECT_GT(largest_of(received, 3, 3), 0.1);
+
+  std::vector<char>         is_active(active.begin(), active.end());
+  std::vector<unsigned int> corners(n_cells * (dim + 1) + 32, 0), place(t.x.size(), 0), other_place(place);
+  std::vector<unsigned int> around(dim * corners.size()), other_around(around);
+  std::vector<Quad>         sum(around.size()), other_sum(around.size());
+  Quad                      own, other_own;
+  std::iota(corners.begin(), corners.end() - 32, 0u); // as if all were at one node
+  ASSERT_EQ(one.pairs_around(cells, corners.data(), n_cells * (dim + 1), t.x.data(), is_active.data(), 0, place.data(),
+                             around.data(), sum.data(), &own),
+            t.x.size());
+  two.pairs_around(cells, corners.data(), n_cells * (dim + 1), t.x.data(), is_active.data(), 0, other_place.data(),
+                   other_around.data(), other_sum.data(), &other_own);
+  EXPECT_EQ(place, other_place);
+  EXPECT_EQ(around, other_around);
+  EXPECT_LT(difference(sum, other_sum), 1e-13);
+  for (std::size_t j = 0; j < t.x.size(); ++j)
+    EXPECT_NEAR(sum[j][3], other_sum[j][3], 1e-13 * regular_volume<dim>(spacing));
 
   const auto &x0 = t.block.nodes.xp;
   EXPECT_NEAR(one.largest_relative_displacement(cells, n_cells, t.x.data(), x0.data()),

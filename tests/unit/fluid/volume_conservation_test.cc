@@ -40,7 +40,9 @@ namespace
         potential.push_back(9.81 * block.nodes.xp[i][1]);
         weight += 9.81 * block.nodes.mass[i];
       }
-    exchange_mass<dim>(block.nodes, block.mesh.cells, potential, allowed_lift * weight, block.density, spacing, {});
+    const NodePairs<dim> pairs(block.nodes, block.mesh.cells);
+    exchange_mass<dim>(block.nodes, block.mesh.cells, pairs, potential, allowed_lift * weight, block.density, spacing,
+                       {});
   }
 
   /// The tank (0, 0, 0; 9, 9, 9).
@@ -77,6 +79,42 @@ namespace
     return norm(FluidNodes<dim>::vec(q));
   }
 } // namespace
+
+
+// w (psi_a - mean psi) over the corners that take part, w = |V_c| / (2 (dim + 1)).
+TYPED_TEST(VolumeConservation, ExchangeOperatorIsThatOfTheCells)
+{
+  constexpr int dim       = TypeParam::value;
+  Block<dim>    block     = uneven_block<dim>();
+  block.nodes.n_interface = 20;
+  std::vector<double> psi(block.nodes.n), expected(block.nodes.n, 0.), image(block.nodes.n);
+  Noise               noise(5);
+  for (double &value : psi)
+    value = noise();
+  for (const auto &cell : block.mesh.cells)
+    {
+      double sum = 0, n = 0;
+      for (const unsigned int i : cell)
+        if (i >= 20)
+          {
+            sum += psi[i];
+            ++n;
+          }
+      for (const unsigned int i : cell)
+        if (i >= 20)
+          expected[i] +=
+            std::abs(signed_volume(block.nodes.corners(cell))) / (2 * (dim + 1)) * (psi[i] - sum / n);
+    }
+  const NodePairs<dim> pairs(block.nodes, block.mesh.cells);
+  const double         product     = pairs.exchange(pairs.conductance_sums(), psi, image);
+  double               sum_of_both = 0;
+  for (std::size_t i = 0; i < psi.size(); ++i)
+    {
+      EXPECT_NEAR(image[i], expected[i], 1e-14 * regular_volume<dim>(spacing));
+      sum_of_both += psi[i] * expected[i];
+    }
+  EXPECT_NEAR(product / sum_of_both, 1., 1e-13);
+}
 
 
 TYPED_TEST(VolumeConservation, ExchangeKeepsMassAndMomentum)
