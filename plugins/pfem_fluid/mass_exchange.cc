@@ -120,7 +120,7 @@ namespace Breakwater
         std::vector<Quad>   request(cells_.size()), received(nodes_.n);
         for (std::size_t c = 0; c < cells_.size(); ++c)
           cell_weight[c] = std::abs(signed_volume(nodes_.corners(cells_[c]))) / (2 * (dim + 1));
-        const auto         &passes = element_passes<dim>();
+        const auto &passes = element_passes<dim>();
         passes.exchange_requests(cells_.front().data(), cells_.size(), cell_weight.data(), psi_.data(),
                                  takes_part_.data(), request.data(), part.data(), turnover.data());
         for (std::size_t i = 0; i < nodes_.n; ++i)
@@ -158,7 +158,8 @@ namespace Breakwater
   template <int dim>
   ExchangeReport exchange_mass(FluidNodes<dim> &nodes, const std::vector<typename SimplexMesh<dim>::Cell> &cells,
                                const NodePairs<dim> &pairs, const std::vector<double> &potential,
-                               const double allowed_work, const double reference_density, const double spacing, const ExchangeControl &control)
+                               const double allowed_work, const double reference_density, const double spacing,
+                               const ExchangeControl &control)
   {
     if (cells.empty() || control.n_iterations == 0)
       return {};

@@ -19,7 +19,7 @@ namespace Breakwater
     const std::vector<double>   &mass;      ///< [kg], mass that moves with the node; > 0 where a cell touches the node
     const std::vector<double>   &stiffness; ///< W_i [Pa/m^dim]
     const std::vector<double>   &sound_speed;          ///< at the nodes [m/s]
-    const std::vector<double>   &row_sums;             ///< b_i, see NodePairs::row_sums() of the fluid [m^(2 dim - 2) / kg]
+    const std::vector<double>   &row_sums;             ///< b_i of NodePairs::row_sums() [m^(2 dim - 2) / kg]
     double                       viscosity;            ///< largest one [Pa s], 0: none
     double                       least_viscous_volume; ///< cell volumes below count as this in viscous forces [m^dim]
   };

@@ -102,8 +102,7 @@ TYPED_TEST(VolumeConservation, ExchangeOperatorIsThatOfTheCells)
           }
       for (const unsigned int i : cell)
         if (i >= 20)
-          expected[i] +=
-            std::abs(signed_volume(block.nodes.corners(cell))) / (2 * (dim + 1)) * (psi[i] - sum / n);
+          expected[i] += std::abs(signed_volume(block.nodes.corners(cell))) / (2 * (dim + 1)) * (psi[i] - sum / n);
     }
   const NodePairs<dim> pairs(block.nodes, block.mesh.cells);
   const double         product     = pairs.exchange(pairs.conductance_sums(), psi, image);
