@@ -77,5 +77,6 @@ for dimension, spacings in cases.items():
                         "energy lost": 0.02}.items():
         rate = verification.rate(f"{dimension}D, {name}", spacings, [result[name] for result in results])
         verification.check(f"{dimension}D, {name}: error", results[-1][name], 0, bound)
-        verification.check(f"{dimension}D, {name}: rate", rate, 1, 3.5)
+        # the largest pressure of all nodes has the noise of single ones, which falls with the spacing at best
+        verification.check(f"{dimension}D, {name}: rate", rate, 0.7 if name.startswith("pressure") else 1, 3.5)
 verification.finish()

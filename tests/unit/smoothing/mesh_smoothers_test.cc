@@ -27,9 +27,21 @@ namespace
     return result;
   }
 
+  /// The same four nodes inside of a box of fixed corners.
+  TestMesh<3> sliver_in_a_box()
+  {
+    std::vector<Vec<3>> position = sliver().position;
+    for (unsigned int corner = 0; corner < 8; ++corner)
+      position.push_back({{corner & 1 ? 1. : -1., corner & 2 ? 1. : -1., corner & 4 ? 1. : -1.}});
+    TestMesh<3> result = mesh_of_cloud<3>(position);
+    std::fill(result.freedom.begin(), result.freedom.begin() + 4, NodeFreedom::free);
+    std::fill(result.freedom.begin() + 4, result.freedom.end(), NodeFreedom::fixed);
+    return result;
+  }
+
   TEST(Getme, OpensASliver)
   {
-    TestMesh<3> mesh = sliver();
+    TestMesh<3> mesh = sliver_in_a_box();
     EXPECT_LT(mesh.smallest_r(), 0.06);
     Getme<3>().smooth(mesh.mesh, mesh.position, mesh.task(0.7));
     EXPECT_GT(mesh.smallest_r(), 0.5);
@@ -37,7 +49,7 @@ namespace
 
   TEST(ElasticAnalogy, OpensASliver)
   {
-    TestMesh<3> mesh = sliver();
+    TestMesh<3> mesh = sliver_in_a_box();
     ElasticAnalogy<3>().smooth(mesh.mesh, mesh.position, mesh.task(0.7));
     EXPECT_GT(mesh.smallest_r(), 0.5);
   }
