@@ -43,5 +43,6 @@ for dimension, spacings in cases.items():
                         "largest error of the largest pressure": 0.1}.items():
         rate = verification.rate(f"{dimension}D, {name}", spacings, [abs(result[name]) for result in results])
         verification.check(f"{dimension}D, {name}", abs(results[-1][name]), 0, bound)
-        verification.check(f"{dimension}D, {name}: rate", rate, 1, 4)
+        # the largest pressure of all nodes has the noise of single ones
+        verification.check(f"{dimension}D, {name}: rate", rate, 0.6 if "pressure" in name else 1, 4)
 verification.finish()
