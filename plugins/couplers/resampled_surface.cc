@@ -367,6 +367,34 @@ namespace Breakwater
 
 
   template <int dim>
+  double part_that_moves_apart(const WetSurface<dim> &owner, const ResampledSurface<dim> &resampled,
+                               const std::vector<double> &carried, const std::vector<double> &lent)
+  {
+    std::vector<double> diagonal(lent), beside(lent.size(), 0.);
+    for (std::size_t i = 0; i < carried.size(); ++i)
+      {
+        double sum = 0;
+        for (const auto &w : resampled.weights[i])
+          sum += std::abs(w.weight);
+        for (const auto &w : resampled.weights[i])
+          if (norm(owner.inverse_mass[w.node]) > 0) // nodes that are held do not move
+            {
+              diagonal[w.node] -= w.weight * w.weight * carried[i];
+              beside[w.node] += std::abs(w.weight) * (sum - std::abs(w.weight)) * carried[i];
+            }
+      }
+    double largest_lent = 0, largest_row = 0;
+    for (std::size_t k = 0; k < lent.size(); ++k)
+      if (norm(owner.inverse_mass[k]) > 0)
+        {
+          largest_lent = std::max(largest_lent, lent[k] / owner.mass[k]);
+          largest_row  = std::max(largest_row, (std::abs(diagonal[k]) + beside[k]) / owner.mass[k]);
+        }
+    return std::min(largest_lent, largest_row);
+  }
+
+
+  template <int dim>
   double extent(const std::vector<Vec<dim>> &position)
   {
     Vec<dim> lower = position.front(), upper = position.front();
@@ -385,6 +413,8 @@ namespace Breakwater
   template ResampledSurface<dim> resample_surface<dim>(const WetSurface<dim> &, double);                                 \
   template void   share_mass<dim>(const WetSurface<dim> &, const ResampledSurface<dim> &, double, std::vector<double> &, \
                                 std::vector<double> &);                                                                \
+  template double part_that_moves_apart<dim>(const WetSurface<dim> &, const ResampledSurface<dim> &,                     \
+                                             const std::vector<double> &, const std::vector<double> &);                  \
   template double extent<dim>(const std::vector<Vec<dim>> &);
   BREAKWATER_INSTANTIATE(2)
   BREAKWATER_INSTANTIATE(3)

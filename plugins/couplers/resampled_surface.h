@@ -42,6 +42,14 @@ namespace Breakwater
   void share_mass(const WetSurface<dim> &owner, const ResampledSurface<dim> &resampled, double share,
                   std::vector<double> &carried, std::vector<double> &lent);
 
+  /// How much of an owner's mass may move apart from the rest of it [-]: a bound of the largest eigenvalue of
+  /// M^-1 (L - W^T mu W), M the owner's masses before it lends, L the lent ones, mu those carried and W the weights.
+  /// L - W^T mu W is what is lent and does not move along with a motion of the owner's nodes: 0 for copies, L for a motion
+  /// that the nodes do not see. At most the largest L / M, as W^T mu W is positive; at most the largest row sum (Gershgorin).
+  template <int dim>
+  double part_that_moves_apart(const WetSurface<dim> &owner, const ResampledSurface<dim> &resampled,
+                               const std::vector<double> &carried, const std::vector<double> &lent);
+
   /// Length of the diagonal of the box around places [m].
   template <int dim>
   double extent(const std::vector<Vec<dim>> &position);

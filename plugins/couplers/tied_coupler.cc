@@ -19,10 +19,6 @@ namespace Breakwater
     /// Copies of nodes that are held carry this many times their owners' mass, which nobody lends: they do not move.
     constexpr double mass_of_held_copies = 1e3;
 
-    /// Of the step of an owner whose mass is carried by nodes of another spacing. Where nodes match, both halves of the
-    /// mass always move as one and leave that much to spare; without it a 3D dam break gained energy.
-    constexpr double slack_of_other_spacing = 0.7;
-
     /// Part of a drift above round-off that is taken back in a coarse step.
     constexpr double slow_part_of_drift = 0.05;
 
@@ -81,7 +77,7 @@ namespace Breakwater
     places_of_adopted_.clear();
     carried_mass_.clear();
     has_adopted_.assign(domains.size(), 0);
-    lends_elsewhere_.assign(domains.size(), 0);
+    part_of_step_.assign(domains.size(), 1.);
     for (unsigned int t = 0; t < ties.size(); ++t)
       {
         const unsigned int first = ties[t].first, second = ties[t].second;
@@ -115,8 +111,11 @@ namespace Breakwater
           adopted.mass[i] = mass_of_held_copies * surface.mass[k];
         }
     if (shares_mass())
-      lender.lend_mass(lent);
-    lends_elsewhere_[owner] = shares_mass() && interface_ == "non-matching";
+      {
+        part_of_step_[owner] =
+          std::min(part_of_step_[owner], std::sqrt(1 - part_that_moves_apart(surface, resampled, adopted.mass, lent)));
+        lender.lend_mass(lent);
+      }
 
     const unsigned int offset = sides_[adopter].domain->adopt_surface(adopted);
     const double       sign   = adopter == ties_[tie].first ? 1 : -1;
@@ -242,8 +241,7 @@ namespace Breakwater
     for (const Side &side : sides_)
       if (side.is_coarse == of_coarse)
         {
-          const double bound =
-            (lends_elsewhere_[side.number] ? slack_of_other_spacing : 1.) * side.domain->stable_time_step();
+          const double bound = part_of_step_[side.number] * side.domain->stable_time_step();
           if (!(bound > 0))
             throw BreakdownError("Coupling: the stable step of a domain is " + std::to_string(bound) + " s.");
           smallest = std::min(smallest, bound);

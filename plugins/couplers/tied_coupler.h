@@ -127,7 +127,7 @@ namespace Breakwater
     std::string  coarse_domain_ = "automatic";
 
     std::vector<Tie>                 ties_;
-    std::vector<char>                lends_elsewhere_;        ///< [domain] to nodes of another spacing
+    std::vector<double>              part_of_step_;           ///< [domain] of its stable step that it may take
     std::vector<char>                has_adopted_;            ///< [domain]
     std::vector<TiedPlace>           places_of_adopted_;      ///< the first of all places
     double                           largest_coordinate_ = 0; ///< [m]

@@ -237,6 +237,51 @@ namespace
   }
 
 
+  /// v . (L - W^T mu W) v over v . M v, of what is lent and carried.
+  double part_of_motion(const WetSurface<3> &owner, const ResampledSurface<3> &resampled,
+                        const std::vector<double> &carried, const std::vector<double> &lent,
+                        const std::vector<double> &v)
+  {
+    double part = 0, all = 0;
+    for (std::size_t k = 0; k < v.size(); ++k)
+      {
+        part += lent[k] * v[k] * v[k];
+        all += owner.mass[k] * v[k] * v[k];
+      }
+    for (std::size_t i = 0; i < carried.size(); ++i)
+      {
+        double velocity = 0;
+        for (const auto &w : resampled.weights[i])
+          velocity += w.weight * v[w.node];
+        part -= carried[i] * velocity * velocity;
+      }
+    return part / all;
+  }
+
+  TEST(ResampledSurface, TellsHowMuchMassMayMoveApart)
+  {
+    for (const WetSurface<3> &owner : {step_in_space(), arc<3>(3)})
+      for (const double spacing : {0., 0.02, 0.11, 0.3})
+        {
+          const auto          resampled = spacing > 0 ? resample_surface(owner, spacing) : copy_of_surface(owner);
+          std::vector<double> carried, lent;
+          share_mass(owner, resampled, 0.5, carried, lent);
+          const double bound = part_that_moves_apart(owner, resampled, carried, lent);
+          EXPECT_LE(bound, spacing == 0 ? 0 : 0.5 * (1 + 1e-14));
+          double largest = 0;
+          for (unsigned int seed = 1; seed < 200; ++seed)
+            {
+              std::vector<double> v;
+              for (std::size_t k = 0; k < owner.mass.size(); ++k)
+                v.push_back(std::sin(1. + seed * seed + 7. * seed * k));
+              largest = std::max(largest, part_of_motion(owner, resampled, carried, lent, v));
+            }
+          EXPECT_LE(largest, bound + 1e-14);
+          EXPECT_GE(largest, 0.3 * bound) << "and is not far off";
+        }
+  }
+
+
   // With the multipliers the velocities at all places are the same, and momentum is what it was.
   TEST(InterfaceProblem, MakesVelocitiesTheSame)
   {
