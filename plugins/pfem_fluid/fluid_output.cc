@@ -169,6 +169,7 @@ namespace Breakwater
     for (const unsigned int value : {n_steps_since_filter_, n_steps_to_check_, n_remeshes_})
       visit(value);
     visit(strain_watch_);
+    visit(gap_watch_);
     visit(n_wall_stops_);
     visit(n_pushed_out_);
     parameters_.walls.save(stream);
@@ -205,6 +206,7 @@ namespace Breakwater
     for (unsigned int *value : {&n_steps_since_filter_, &n_steps_to_check_, &n_remeshes_})
       visit(*value);
     visit(strain_watch_);
+    visit(gap_watch_);
     visit(n_wall_stops_);
     visit(n_pushed_out_);
     parameters_.walls.load(stream);

@@ -1,6 +1,7 @@
 #include "gaps.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace Breakwater
 {
@@ -20,10 +21,11 @@ namespace Breakwater
 
 
   template <int dim>
-  bool Gaps<dim>::may_close(const std::vector<Quad> &position, const std::vector<Quad> &position_before,
+  double Gaps<dim>::closure(const std::vector<Quad> &position, const std::vector<Quad> &position_before,
                             const double spacing) const
   {
     const double square_of_spacing = spacing * spacing;
+    double       largest = 0, over = 1; // squares
     for (const Cell &cell : cells)
       for (int a = 1; a <= dim; ++a)
         for (int b = 0; b < a; ++b)
@@ -36,10 +38,14 @@ namespace Breakwater
                 distance += before * before;
                 motion += change * change;
               }
-            if (motion > std::max(square_of_spacing, 0.25 * distance))
-              return true;
+            const double allowed = std::max(square_of_spacing, 0.25 * distance);
+            if (motion * over > largest * allowed)
+              {
+                largest = motion;
+                over    = allowed;
+              }
           }
-    return false;
+    return std::sqrt(largest / over);
   }
 
   template class Gaps<2>;

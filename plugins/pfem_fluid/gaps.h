@@ -24,11 +24,11 @@ namespace Breakwater
     /// @param n_interface the first nodes are of structures: cells between them alone do not matter
     Gaps(const std::vector<Cell> &cells, std::size_t n_nodes, std::size_t n_interface);
 
-    /// True if two nodes at a gap have moved so far against each other that they may soon meet: by half the distance
-    /// that they had, and by more than the spacing.
+    /// How far nodes at a gap have moved against each other, over half the distance that they had, or over the spacing if
+    /// that is more: the largest of all pairs. From 1 on they may soon meet.
     /// @param position now and before [m]
     /// @param spacing of the nodes [m]
-    bool may_close(const std::vector<Quad> &position, const std::vector<Quad> &position_before, double spacing) const;
+    double closure(const std::vector<Quad> &position, const std::vector<Quad> &position_before, double spacing) const;
 
     /// Cells at gaps; in place of far nodes they have another one of their own once more.
     std::vector<Cell> cells;

@@ -385,7 +385,7 @@ namespace Breakwater
     else if (needs_remeshing())
       {
         remesh();
-        strain_watch_ = {};
+        strain_watch_ = gap_watch_ = {};
       }
     else
       n_steps_to_check_ = 2;
@@ -393,21 +393,38 @@ namespace Breakwater
 
 
   template <int dim>
+  void PfemFluid<dim>::Watch::note(const double value, const double allowed)
+  {
+    const double growth = 4 * std::max(0., value - value_) / n_looks_;
+    unsigned int n_wait = 0;
+    while (n_wait < 3 && value + (n_wait + 2) * growth <= allowed)
+      ++n_wait;
+    value_           = value;
+    n_looks_         = 0;
+    n_looks_to_wait_ = n_wait;
+  }
+
+
+  template <int dim>
   bool PfemFluid<dim>::is_strained()
   {
-    StrainWatch &watch = strain_watch_;
-    ++watch.n_looks;
-    if (watch.n_looks <= watch.n_looks_to_wait)
+    if (!strain_watch_.is_due())
       return false;
-    const double allowed = parameters_.largest_strain * parameters_.spacing;
     const double largest = largest_relative_displacement<dim>(mesh_.cells, nodes_.xp, nodes_.position_at_remesh);
-    // Not again before it could be too large if it grew four times as fast as it did, but soon all the same.
-    const double growth = 4 * std::max(0., largest - watch.largest) / watch.n_looks;
-    unsigned int n_wait = 0;
-    while (n_wait < 3 && largest + (n_wait + 2) * growth <= allowed)
-      ++n_wait;
-    watch = {largest, 0, n_wait};
+    strain_watch_.note(largest, parameters_.largest_strain * parameters_.spacing);
     return is_too_strained(largest);
+  }
+
+
+  // Bodies of fluid that fly towards each other share no cell of the mesh.
+  template <int dim>
+  bool PfemFluid<dim>::may_gaps_close()
+  {
+    if (!gap_watch_.is_due())
+      return false;
+    const double closure = gaps_.closure(nodes_.xp, nodes_.position_at_remesh, parameters_.spacing);
+    gap_watch_.note(closure, 1.);
+    return closure > 1;
   }
 
 
@@ -418,8 +435,7 @@ namespace Breakwater
       return true;
     if (parameters_.walls.has_travelled(0.3 * parameters_.spacing))
       return true;
-    // Bodies of fluid that fly towards each other share no cell of the mesh.
-    return gaps_.may_close(nodes_.xp, nodes_.position_at_remesh, parameters_.spacing);
+    return may_gaps_close();
   }
 
 

@@ -60,12 +60,21 @@ namespace Breakwater
       std::vector<Quad>   gradient, impulse;
     };
 
-    /// When the displacement of nodes against their cells was measured, and when it will be again.
-    struct StrainWatch
+    /// When something that grows was measured, and when it will be again.
+    class Watch
     {
-      double       largest         = 0; ///< then [m]
-      unsigned int n_looks         = 0; ///< calls of is_strained() since then
-      unsigned int n_looks_to_wait = 0;
+    public:
+      /// Counts calls; true when it is time to measure again.
+      bool is_due() { return ++n_looks_ > n_looks_to_wait_; }
+
+      /// Not again before it could be more than what is allowed if it grew four times as fast as it did, but soon all
+      /// the same.
+      void note(double value, double allowed);
+
+    private:
+      double       value_           = 0; ///< when last measured
+      unsigned int n_looks_         = 0; ///< calls of is_due() since then
+      unsigned int n_looks_to_wait_ = 0;
     };
 
     // pfem_fluid.cc: one time step
@@ -85,6 +94,7 @@ namespace Breakwater
     [[noreturn]] void fail_at_node(std::size_t node, double fastest) const;
     bool              is_strained();
     bool              is_too_strained(double largest_displacement) const; ///< in a cell [m]
+    bool              may_gaps_close();
     bool              needs_remeshing();
 
     // initial_nodes.cc
@@ -179,7 +189,8 @@ namespace Breakwater
 
     DomainBalance<dim> received_; ///< of all nodes that have come in, less those that have gone
 
-    StrainWatch   strain_watch_;
+    Watch         strain_watch_;
+    Watch         gap_watch_;
     double        time_                 = 0; ///< [s]
     double        bound_                = 0; ///< of the rule in use at the last remesh [s]
     double        sound_speed_at_bound_ = 0; ///< largest one then [m/s]

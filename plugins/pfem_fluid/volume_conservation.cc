@@ -1,5 +1,6 @@
 #include "volume_conservation.h"
 
+#include "kernels.h"
 
 #include <breakwater/mesh/quality.h>
 
@@ -48,7 +49,7 @@ namespace Breakwater
         , walls_(walls)
         , is_free_(nodes.n)
         , mobility_(nodes.n)
-        , area_(cells.size())
+        , place_(nodes.xp)
       {
         const double regular_mass = reference_density * regular_volume<dim>(spacing);
         for (std::size_t i = 0; i < nodes.n; ++i)
@@ -56,27 +57,17 @@ namespace Breakwater
             is_free_[i]  = nodes.has_cells[i] && !nodes.is_surface[i];
             mobility_[i] = nodes.is_driven(i) ? 0. : regular_mass / std::max(nodes.mass[i], 0.3 * regular_mass);
           }
-        for (std::size_t c = 0; c < cells.size(); ++c)
-          area_[c] = area_vectors(nodes.corners(cells[c]));
       }
 
       /// phi counts only where this is true: nodes inside and on the wetted interface.
       bool is_free(const std::size_t i) const { return is_free_[i]; }
 
-      /// u = W D^T phi
-      void displacement(const std::vector<double> &phi, std::vector<Quad> &u) const
+      /// u = W D^T phi: the forces of the pressure phi.
+      void displacement(const std::vector<double> &phi, std::vector<Quad> &u)
       {
-        std::fill(u.begin(), u.end(), Quad());
-        for (std::size_t c = 0; c < cells_.size(); ++c)
-          {
-            double mean = 0;
-            for (int a = 0; a <= dim; ++a)
-              mean += phi[cells_[c][a]];
-            mean /= dim + 1;
-            for (int a = 0; a <= dim; ++a)
-              for (int d = 0; d < dim; ++d)
-                u[cells_[c][a]][d] += mean * area_[c][a][d];
-          }
+        for (std::size_t i = 0; i < phi.size(); ++i)
+          place_[i][3] = phi[i];
+        compute_forces<dim>(cells_, ForceEffects(), place_, nodes_.v, nodes_.density_slope, u);
         for (std::size_t i = 0; i < u.size(); ++i)
           {
             for (int d = 0; d < dim; ++d)
@@ -90,14 +81,14 @@ namespace Breakwater
       void volume_change(const std::vector<Quad> &u, std::vector<double> &result) const
       {
         std::fill(result.begin(), result.end(), 0.);
-        for (std::size_t c = 0; c < cells_.size(); ++c)
+        for (const auto &cell : cells_)
           {
-            double change = 0;
+            const Simplex<dim> area   = area_vectors(nodes_.corners(cell));
+            double             change = 0;
             for (int a = 0; a <= dim; ++a)
-              for (int d = 0; d < dim; ++d)
-                change += area_[c][a][d] * u[cells_[c][a]][d];
-            for (int a = 0; a <= dim; ++a)
-              result[cells_[c][a]] += change / (dim + 1);
+              change += dot(area[a], FluidNodes<dim>::vec(u[cell[a]]));
+            for (const unsigned int i : cell)
+              result[i] += change / (dim + 1);
           }
         for (std::size_t i = 0; i < result.size(); ++i)
           if (!is_free_[i])
@@ -110,7 +101,7 @@ namespace Breakwater
       const Walls<dim>                                   &walls_;
       std::vector<char>                                   is_free_;
       std::vector<double>                                 mobility_;
-      std::vector<Simplex<dim>>                           area_;
+      std::vector<Quad>                                   place_; ///< of the nodes, and phi
     };
 
     double dot(const std::vector<double> &a, const std::vector<double> &b)
@@ -161,9 +152,9 @@ namespace Breakwater
       smooth_extensive<dim>(interior, cell_volume, node_volume, 3, missing);
     }
 
-    const CorrectionOperator<dim> correction(nodes, cells, walls, reference_density, spacing);
-    std::vector<double>           residual(nodes.n), phi(nodes.n, 0.), direction, image(nodes.n);
-    std::vector<Quad>             u(nodes.n);
+    CorrectionOperator<dim> correction(nodes, cells, walls, reference_density, spacing);
+    std::vector<double>     residual(nodes.n), phi(nodes.n, 0.), direction, image(nodes.n);
+    std::vector<Quad>       u(nodes.n);
     for (std::size_t i = 0; i < nodes.n; ++i)
       residual[i] = correction.is_free(i) ? weight * missing[i] : 0.;
     direction   = residual;
@@ -221,7 +212,7 @@ namespace Breakwater
   template std::vector<Quad> volume_correction<dim>(const FluidNodes<dim> &,                                           \
                                                     const std::vector<SimplexMesh<dim>::Cell> &, const Walls<dim> &,   \
                                                     double, double, double, unsigned int);                             \
-  template double interior_volume_deficit<dim>(const FluidNodes<dim> &);
+  template double            interior_volume_deficit<dim>(const FluidNodes<dim> &);
   BREAKWATER_INSTANTIATE(2)
   BREAKWATER_INSTANTIATE(3)
 } // namespace Breakwater

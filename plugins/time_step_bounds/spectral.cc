@@ -20,12 +20,12 @@ namespace Breakwater
         {
           const Simplex<dim> x    = corners(fluid.position, cell);
           const Simplex<dim> area = area_vectors(x);
-          double             sum  = 0;
+          double             length[dim + 1], sum = 0;
           for (int a = 0; a <= dim; ++a)
-            sum += norm(area[a]);
+            sum += length[a] = norm(area[a]);
           const double factor = 2 * fluid.viscosity / std::max(std::abs(signed_volume(x)), fluid.least_viscous_volume);
           for (int a = 0; a <= dim; ++a)
-            row_sums[cell[a]] += factor * norm(area[a]) * sum;
+            row_sums[cell[a]] += factor * length[a] * sum;
         }
       double largest = 0;
       for (std::size_t i = 0; i < row_sums.size(); ++i)
