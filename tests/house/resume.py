@@ -20,7 +20,8 @@ CASES = {
               "Output/History every=0.003"],
     "openings": [JET, "--set", "Fluid/Pfem/Spacing=0.01", "--set", "End time=0.3", "--set", "Output/History every=0.003",
                  "--set", "Fluid/Pfem/Outflows/Drain/Shape=box(0, 0; 0.3, 0.1)"],
-    "coupled": [OBSTACLE, "--set", "Fluid/Pfem/Spacing=0.02", "--set", "End time=0.3"],
+    "coupled, free slip": [OBSTACLE, "--set", "Fluid/Pfem/Spacing=0.02", "--set", "End time=0.3", "--set",
+                           "Fluid/Pfem/Law at structures=free slip"],
     "joined structures in a fluid": [
         OBSTACLE, "--set", "Fluid/Pfem/Spacing=0.02", "--set", "End time=0.3", "--set",
         "Structures/Obstacle/Mesh=box(0.292, 0, 0; 0.304, 0.08, 0.15; 1, 3, 4)", "--set",
