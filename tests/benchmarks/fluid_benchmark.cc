@@ -77,7 +77,7 @@ namespace
   }
 
   template <class Work>
-  void repeat(benchmark::State &state, const Work &work)
+  void repeat(benchmark::State &state, Work work)
   {
     Cloud &c = cloud(state.range(0));
     for (auto _ : state)
