@@ -7,6 +7,7 @@
 #include <breakwater/base/parameter_reader.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace Breakwater
 {
@@ -42,6 +43,13 @@ namespace Breakwater
         peel_.finish(report_);
         report_.n_lifted_nodes = node_step_.n_lifted();
         report_.lifted_volume  = node_step_.lifted_volume();
+      }
+
+      /// True if no cell is left for which the surface may change.
+      bool is_good() const
+      {
+        const std::vector<unsigned int> bad = mesh_.bad_cells();
+        return bad.empty() || mesh_.r(bad.front()) >= wanted_at_least();
       }
 
     private:
@@ -187,9 +195,27 @@ namespace Breakwater
   void FlipsAndOptimization<dim>::improve(SimplexMesh<dim> &mesh, std::vector<Vec<dim>> &position,
                                           const SmoothingTask<dim> &task, SmoothingReport &report)
   {
-    StarMesh<dim> work(mesh, position, task);
-    Repair<dim>(work, largest_peel_, report).run(n_passes_);
-    work.finish();
+    // Where cells are still bad, once more: from the places reached, and with what is left of the largest peel.
+    double largest_peel = largest_peel_;
+    for (unsigned int round = 0; round < 2; ++round)
+      {
+        StarMesh<dim>   work(mesh, position, task);
+        const double    volume = work.volume();
+        SmoothingReport one;
+        Repair<dim>     repair(work, largest_peel, one);
+        repair.run(n_passes_);
+        const bool is_good = repair.is_good();
+        work.finish();
+        report.n_flips += one.n_flips;
+        report.n_peeled_cells += one.n_peeled_cells;
+        report.n_freed_nodes += one.n_freed_nodes;
+        report.n_lifted_nodes += one.n_lifted_nodes;
+        report.peeled_volume += one.peeled_volume;
+        report.lifted_volume += one.lifted_volume;
+        if (is_good)
+          break;
+        largest_peel -= std::min(largest_peel, std::abs(one.lifted_volume - one.peeled_volume) / volume);
+      }
   }
 
   template class FlipsAndOptimization<2>;
