@@ -206,12 +206,7 @@ namespace Breakwater
         repair.run(n_passes_);
         const bool is_good = repair.is_good();
         work.finish();
-        report.n_flips += one.n_flips;
-        report.n_peeled_cells += one.n_peeled_cells;
-        report.n_freed_nodes += one.n_freed_nodes;
-        report.n_lifted_nodes += one.n_lifted_nodes;
-        report.peeled_volume += one.peeled_volume;
-        report.lifted_volume += one.lifted_volume;
+        report.add(one);
         if (is_good)
           break;
         largest_peel -= std::min(largest_peel, std::abs(one.lifted_volume - one.peeled_volume) / volume);

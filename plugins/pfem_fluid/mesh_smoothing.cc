@@ -56,13 +56,7 @@ namespace Breakwater
       {
         const SmoothingReport one = parameters_.mesh_smoothers[s].smooth(
           mesh_, position, {freedom, wall_normal, parameters_.spacing, parameters_.smoothing_target, is_reachable});
-        report.n_flips += one.n_flips;
-        report.n_peeled_cells += one.n_peeled_cells;
-        report.n_freed_nodes += one.n_freed_nodes;
-        report.n_lifted_nodes += one.n_lifted_nodes;
-        report.peeled_volume += one.peeled_volume;
-        report.lifted_volume += one.lifted_volume;
-        report.volume_change += one.volume_change;
+        report.add(one);
       }
     measure_moves(before, position, report);
     order_cells<dim>(mesh_.cells, nodes_.n);

@@ -238,13 +238,7 @@ namespace
         const auto                start = cloud.position;
         SmoothingReport           report;
         for (const auto &smoother : smoothers)
-          {
-            const SmoothingReport one = smoother->smooth(cloud.mesh, cloud.position, {freedom, normal, 1., target});
-            report.n_flips += one.n_flips;
-            report.n_peeled_cells += one.n_peeled_cells;
-            report.volume_change += one.volume_change;
-            report.seconds += one.seconds;
-          }
+          report.add(smoother->smooth(cloud.mesh, cloud.position, {freedom, normal, 1., target}));
         measure_moves(start, cloud.position, report);
         const QualityReport after = mesh_quality<3>(cloud.mesh, cloud.position, 1.);
         std::printf(

@@ -62,6 +62,19 @@ namespace Breakwater
     double       lifted_volume  = 0; ///< what those moves have added [m^dim]
     double       volume_change  = 0; ///< of the mesh [m^dim]
     double       seconds        = 0; ///< CPU time
+
+    /// Adds what a further smoother did, but for the moves, which do not add up: see measure_moves().
+    void add(const SmoothingReport &other)
+    {
+      n_flips += other.n_flips;
+      n_peeled_cells += other.n_peeled_cells;
+      n_freed_nodes += other.n_freed_nodes;
+      n_lifted_nodes += other.n_lifted_nodes;
+      peeled_volume += other.peeled_volume;
+      lifted_volume += other.lifted_volume;
+      volume_change += other.volume_change;
+      seconds += other.seconds;
+    }
   };
 
   /// Improves a simplex mesh by moving nodes or changing cells.
