@@ -74,9 +74,7 @@ namespace Breakwater
             this->measure_gap();
             this->take_back_drift();
           }
-        for (const Side &side : this->sides_)
-          if (is_last || !side.is_coarse)
-            side.domain->end_step();
+        this->end_steps(is_last);
       }
     return coarse_step;
   }

@@ -117,8 +117,7 @@ namespace Breakwater
       last_change_[r] = this->sides_.front().multiplier[r] - start_multiplier[r];
     this->measure_gap();
     this->take_back_drift();
-    for (const Side &side : this->sides_)
-      side.domain->end_step();
+    this->end_steps(true);
     return coarse_step;
   }
 

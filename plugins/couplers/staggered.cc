@@ -76,8 +76,8 @@ namespace Breakwater
         this->add_link_work(follower(), fine_start, coarse_step);
         if (n_left == 1)
           put_follower_on_leader();
-        set_acceleration(n_left == 1 ? leaders_value(leader().surface().acceleration) : acceleration);
         follower().domain->end_step();
+        set_acceleration(n_left == 1 ? leaders_value(leader().surface().acceleration) : acceleration);
       }
     leader().domain->end_step();
     return coarse_step;

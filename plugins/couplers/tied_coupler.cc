@@ -346,6 +346,45 @@ namespace Breakwater
   }
 
 
+  // A remesh changes a domain's own forces. The multiplier changes such that tied nodes keep a common acceleration, on
+  // both sides alike, so that no momentum is lost; within a coarse step, in which the coarse domains do not take part, on
+  // the fine side alone.
+  template <int dim>
+  void TiedCoupler<dim>::end_steps(const bool of_coarse)
+  {
+    std::vector<Vectors>         change(sides_.size());
+    std::vector<const Vectors *> changes;
+    std::vector<double>          factor;
+    bool                         has_changed = false;
+    for (const Side &side : sides_)
+      {
+        const Vectors before = side.surface().acceleration;
+        const bool    ends   = of_coarse || !side.is_coarse;
+        if (ends)
+          side.domain->end_step();
+        Vectors &field = change[side.number];
+        field          = side.surface().acceleration;
+        for (std::size_t i = 0; i < field.size(); ++i)
+          {
+            field[i] -= before[i];
+            has_changed = has_changed || norm(field[i]) > 0;
+          }
+        changes.push_back(&field);
+        factor.push_back(ends ? 1. : 0.);
+      }
+    if (!has_changed)
+      return;
+    const Vectors multiplier = problem_.solve(surfaces(), factor, mismatch(changes));
+    for (Side &side : sides_)
+      if (of_coarse || !side.is_coarse)
+        {
+          side.domain->add_link_force(link_force(side, multiplier), 0.);
+          for (std::size_t r = 0; r < multiplier.size(); ++r)
+            side.multiplier[r] += multiplier[r];
+        }
+  }
+
+
   template <int dim>
   typename TiedCoupler<dim>::Start TiedCoupler<dim>::start_of_step(const Side &side, const double time_step) const
   {

@@ -90,6 +90,7 @@ namespace Breakwater
     void    add_multiplier(Side &side, const Vectors &multiplier, double time_step); ///< and keeps it
     Start   start_of_step(const Side &side, double time_step) const;
     void    add_link_work(const Side &side, const Start &start, double coarse_step);
+    void    end_steps(bool of_coarse);
     void    measure_gap();
     void    take_back_drift();
 

@@ -128,9 +128,10 @@ namespace Breakwater
     void give_rim_forces_to_walls();
 
     // remeshing.cc
-    void        remesh();
-    std::size_t let_in();                            ///< new nodes at inflows; how many there are
-    bool        let_out(DomainBalance<dim> &before); ///< takes nodes in outflows away, from the balance too
+    void                  remesh();
+    std::vector<Vec<dim>> interface_link_force() const;
+    std::size_t           let_in();                            ///< new nodes at inflows; how many there are
+    bool                  let_out(DomainBalance<dim> &before); ///< takes nodes in outflows away, from the balance too
     typename DelaunayMesh<dim>::Report triangulate(
       const std::function<bool(const typename SimplexMesh<dim>::Cell &)> &is_inside = {});
     void   classify_nodes();

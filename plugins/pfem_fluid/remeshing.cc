@@ -22,6 +22,7 @@ namespace Breakwater
   {
     PhaseTimer         timer(*context_, Phase::remeshing);
     const double       reference_density = parameters_.equation_of_state.front().reference_density();
+    const auto         link_force        = interface_link_force();
     const std::size_t  n_entered         = let_in();
     DomainBalance<dim> before            = balance();
     RemeshRecord       record;
@@ -76,11 +77,11 @@ namespace Breakwater
     set_references(pairs);
     update_pressure();
 
-    // Interface nodes keep the acceleration that they share with their companions.
-    const std::vector<Quad> acceleration(nodes_.a.begin(), nodes_.a.begin() + nodes_.n_interface);
     update_forces();
     accelerate(0);
-    std::copy(acceleration.begin(), acceleration.end(), nodes_.a.begin());
+    for (std::size_t i = 0; i < nodes_.n_interface; ++i)
+      for (int d = 0; d < dim; ++d)
+        nodes_.a[i][d] += link_force[i][d] / nodes_.inertia(i);
     if (record.n_pushed_out > 0)
       contact_impulse_ = impulse;
     refresh_surface();
@@ -95,6 +96,19 @@ namespace Breakwater
     record.angular_momentum_change = nodes_.angular_momentum() - angular_momentum_before;
     add_remeshing_row(record, before, after);
     check_remesh(record, before, after);
+  }
+
+
+  // M a - F - m g: what other bodies do [N]. A remesh changes F, not this.
+  template <int dim>
+  std::vector<Vec<dim>> PfemFluid<dim>::interface_link_force() const
+  {
+    std::vector<Vec<dim>> force(nodes_.n_interface);
+    for (std::size_t i = 0; i < force.size(); ++i)
+      for (int d = 0; d < dim; ++d)
+        force[i][d] = nodes_.inertia(i) * nodes_.a[i][d] - nodes_.force[i][d] -
+                      nodes_.mass[i] * body_acceleration_[body_force_is_uniform_ ? 0 : i][d];
+    return force;
   }
 
 

@@ -80,12 +80,13 @@ namespace Breakwater
     /// @pre one force per node of wet_surface(), time_step as in advance_free() or 0
     virtual void add_link_force(const std::vector<Vec<dim>> &force, double time_step) = 0;
 
-    /// The step is complete, links included. The fluid remeshes here if it must. @throws BreakdownError
+    /// The step is complete, links included. The fluid remeshes here if it must: its own forces change and with them the
+    /// accelerations of the wet surface, which keep the part of the link forces. @throws BreakdownError
     virtual void end_step() = 0;
 
     /// The nodes that may be tied to another domain; their positions, velocities and accelerations are current after
-    /// each call that changes them, setup() included. Empty if the domain has none. A remesh in end_step() keeps all
-    /// three: tied nodes may be almost massless, and their acceleration is then not the force over the mass.
+    /// each call that changes them, setup() included. Empty if the domain has none. end_step() keeps positions and
+    /// velocities.
     virtual const WetSurface<dim> &wet_surface() const = 0;
 
     /// Makes the nodes of another body's wet surface this domain's own: same number, order and places, facets of that

@@ -74,7 +74,19 @@ namespace Breakwater
       v_[tied_] += time_step / 2 * force[0][0] / mass_[tied_];
       update_surface();
     }
-    void                 end_step() override { ++n_ended_steps_; }
+    void end_step() override { ++n_ended_steps_; }
+
+    /// All springs get this many times as stiff, as a remesh changes a fluid's forces.
+    void stiffen(const double factor)
+    {
+      const std::vector<double> before = free_acceleration();
+      for (Spring &spring : springs_)
+        spring.stiffness *= factor;
+      const std::vector<double> after = free_acceleration();
+      for (std::size_t i = 0; i < a_.size(); ++i)
+        a_[i] += after[i] - before[i];
+      update_surface();
+    }
     const WetSurface<2> &wet_surface() const override { return surface_; }
     unsigned int         adopt_surface(const WetSurface<2> &partner) override
     {
@@ -98,7 +110,10 @@ namespace Breakwater
     {
       DomainBalance<2> balance;
       for (std::size_t i = 0; i < u_.size(); ++i)
-        balance.kinetic_energy += 0.5 * mass_[i] * v_[i] * v_[i];
+        {
+          balance.kinetic_energy += 0.5 * mass_[i] * v_[i] * v_[i];
+          balance.momentum[0] += mass_[i] * v_[i];
+        }
       for (const Spring &spring : springs_)
         balance.strain_energy += 0.5 * spring.stiffness * stretch(spring) * stretch(spring);
       return balance;
