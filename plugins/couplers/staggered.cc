@@ -179,8 +179,8 @@ namespace Breakwater
         own           = place[r];
       }
     follower().domain->correct_surface(position);
-    this->balances_[0].displacement_drift = largest;
-    this->balances_[0].largest_drift      = std::max(this->balances_[0].largest_drift, largest);
+    this->balances_[0].taken_back         = largest;
+    this->balances_[0].largest_taken_back = std::max(this->balances_[0].largest_taken_back, largest);
   }
 
 

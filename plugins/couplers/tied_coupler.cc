@@ -19,9 +19,6 @@ namespace Breakwater
     /// Copies of nodes that are held carry this many times their owners' mass, which nobody lends: they do not move.
     constexpr double mass_of_held_copies = 1e3;
 
-    /// Part of a drift above round-off that is taken back in a coarse step.
-    constexpr double slow_part_of_drift = 0.05;
-
     template <int dim>
     bool is_held(const WetSurface<dim> &surface, const unsigned int node)
     {
@@ -193,16 +190,12 @@ namespace Breakwater
           if (field->size() != surface.position.size())
             throw std::logic_error("a wet surface lacks velocities, accelerations or masses");
       }
-    std::vector<const Vectors *> position;
-    for (const Side &side : sides_)
-      position.push_back(&side.surface().position);
-    const Vectors gap = mismatch(position);
+    const Vectors gap = mismatch(&WetSurface<dim>::position);
     for (std::size_t r = 0; r < gap.size(); ++r)
       {
-        const TiedPlace::Entry &first = problem_.places()[r].entries[0];
-        const Vec<dim>         &x     = (*position[first.domain])[first.node];
-        largest_coordinate_           = std::max(largest_coordinate_, norm(x));
-        if (norm(gap[r]) > 1e-9 * std::max(extent(*position[first.domain]), norm(x)))
+        const TiedPlace::Entry &first    = problem_.places()[r].entries[0];
+        const Vectors          &position = sides_[first.domain].surface().position;
+        if (norm(gap[r]) > 1e-9 * std::max(extent(position), norm(position[first.node])))
           throw std::logic_error("nodes that are tied lie apart");
       }
   }
@@ -223,11 +216,8 @@ namespace Breakwater
   template <int dim>
   void TiedCoupler<dim>::start_with_equal_accelerations()
   {
-    std::vector<const Vectors *> acceleration;
-    for (const Side &side : sides_)
-      acceleration.push_back(&side.surface().acceleration);
     const Vectors multiplier =
-      problem_.solve(surfaces(), std::vector<double>(sides_.size(), 1.), mismatch(acceleration));
+      problem_.solve(surfaces(), std::vector<double>(sides_.size(), 1.), mismatch(&WetSurface<dim>::acceleration));
     for (Side &side : sides_)
       add_multiplier(side, multiplier, 0.);
     is_started_ = true;
@@ -318,6 +308,16 @@ namespace Breakwater
 
 
   template <int dim>
+  typename TiedCoupler<dim>::Vectors TiedCoupler<dim>::mismatch(Vectors WetSurface<dim>::*field) const
+  {
+    std::vector<const Vectors *> of_sides;
+    for (const Side &side : sides_)
+      of_sides.push_back(&(side.surface().*field));
+    return mismatch(of_sides);
+  }
+
+
+  template <int dim>
   typename TiedCoupler<dim>::Vectors TiedCoupler<dim>::multiplier_for_common_velocity(
     const std::vector<const Vectors *> &velocity, const double coarse_step, const double fine_step)
   {
@@ -346,42 +346,44 @@ namespace Breakwater
   }
 
 
-  // A remesh changes a domain's own forces. The multiplier changes such that tied nodes keep a common acceleration, on
-  // both sides alike, so that no momentum is lost; within a coarse step, in which the coarse domains do not take part, on
-  // the fine side alone.
+  // A remesh changes a domain's own forces. With equal steps the multiplier changes such that tied nodes keep a common
+  // acceleration, on both sides alike, so that no momentum is lost. Otherwise the domain's wet nodes keep theirs: a fine
+  // domain answers a jump of the force within the coarse step, a coarse one that started with it would swing about it.
   template <int dim>
   void TiedCoupler<dim>::end_steps(const bool of_coarse)
   {
     std::vector<Vectors>         change(sides_.size());
     std::vector<const Vectors *> changes;
-    std::vector<double>          factor;
     bool                         has_changed = false;
     for (const Side &side : sides_)
       {
-        const Vectors before = side.surface().acceleration;
-        const bool    ends   = of_coarse || !side.is_coarse;
-        if (ends)
-          side.domain->end_step();
         Vectors &field = change[side.number];
         field          = side.surface().acceleration;
+        if (of_coarse || !side.is_coarse)
+          side.domain->end_step();
         for (std::size_t i = 0; i < field.size(); ++i)
           {
-            field[i] -= before[i];
+            field[i]    = side.surface().acceleration[i] - field[i];
             has_changed = has_changed || norm(field[i]) > 0;
           }
         changes.push_back(&field);
-        factor.push_back(ends ? 1. : 0.);
       }
     if (!has_changed)
       return;
-    const Vectors multiplier = problem_.solve(surfaces(), factor, mismatch(changes));
+    const bool    is_shared = of_coarse && n_done_ == 1;
+    const Vectors multiplier =
+      is_shared ? problem_.solve(surfaces(), std::vector<double>(sides_.size(), 1.), mismatch(changes)) : Vectors();
     for (Side &side : sides_)
-      if (of_coarse || !side.is_coarse)
-        {
-          side.domain->add_link_force(link_force(side, multiplier), 0.);
-          for (std::size_t r = 0; r < multiplier.size(); ++r)
-            side.multiplier[r] += multiplier[r];
-        }
+      {
+        Vectors &force = change[side.number];
+        for (std::size_t i = 0; i < force.size(); ++i)
+          force[i] *= -side.surface().mass[i];
+        if (is_shared)
+          force = link_force(side, multiplier);
+        side.domain->add_link_force(force, 0.);
+        for (std::size_t r = 0; r < multiplier.size(); ++r)
+          side.multiplier[r] += multiplier[r];
+      }
   }
 
 
@@ -416,10 +418,7 @@ namespace Breakwater
   template <int dim>
   void TiedCoupler<dim>::measure_gap()
   {
-    std::vector<const Vectors *> velocity;
-    for (const Side &side : sides_)
-      velocity.push_back(&side.surface().velocity);
-    const Vectors gap = mismatch(velocity);
+    const Vectors gap = mismatch(&WetSurface<dim>::velocity);
     for (InterfaceBalance &balance : balances_)
       {
         balance.velocity_gap = 0;
@@ -442,46 +441,41 @@ namespace Breakwater
 
 
   // Velocities are tied, places are not: they drift apart by what the steps of the two sides integrate differently. Nodes
-  // that belong to an owner go back to it. At m = 1 there is only round-off to take back; a larger drift goes slowly, as
-  // all of it at every step would be a force that lags, and make energy. What a move gives to the domain is minus its own
-  // force, m a less the link force, times the way.
+  // that belong to an owner go back to it, which no force feels.
   template <int dim>
   void TiedCoupler<dim>::take_back_drift()
   {
-    std::vector<const Vectors *> position;
-    for (const Side &side : sides_)
-      position.push_back(&side.surface().position);
-    const Vectors drift = mismatch(position);
-    for (InterfaceBalance &balance : balances_)
-      balance.displacement_drift = 0;
-    for (std::size_t r = 0; r < drift.size(); ++r)
-      {
-        InterfaceBalance &balance  = balances_[problem_.places()[r].tie];
-        balance.displacement_drift = std::max(balance.displacement_drift, norm(drift[r]));
-        balance.largest_drift      = std::max(balance.largest_drift, balance.displacement_drift);
-      }
+    const Vectors drift = mismatch(&WetSurface<dim>::position);
     for (const Side &side : sides_)
       if (has_adopted(side.number))
         move_copies(side, drift);
+    const Vectors left = mismatch(&WetSurface<dim>::position);
+    for (InterfaceBalance &balance : balances_)
+      balance.displacement_drift = balance.taken_back = 0;
+    for (std::size_t r = 0; r < drift.size(); ++r)
+      {
+        InterfaceBalance &balance  = balances_[problem_.places()[r].tie];
+        balance.displacement_drift = std::max(balance.displacement_drift, norm(left[r]));
+        if (r < places_of_adopted_.size())
+          balance.taken_back = std::max(balance.taken_back, norm(drift[r]));
+      }
+    for (InterfaceBalance &balance : balances_)
+      {
+        balance.largest_drift      = std::max(balance.largest_drift, balance.displacement_drift);
+        balance.largest_taken_back = std::max(balance.largest_taken_back, balance.taken_back);
+      }
   }
 
 
   template <int dim>
-  void TiedCoupler<dim>::move_copies(const Side &side, const Vectors &drift)
+  void TiedCoupler<dim>::move_copies(const Side &side, const Vectors &drift) const
   {
-    const WetSurface<dim> &surface = side.surface();
-    const Vectors          link    = link_force(side, side.multiplier);
-    Vectors                place   = surface.position;
+    Vectors place = side.surface().position;
     for (std::size_t r = 0; r < places_of_adopted_.size(); ++r)
       {
         const TiedPlace::Entry &own = problem_.places()[r].entries[0];
-        if (own.domain != side.number)
-          continue;
-        const double   part = norm(drift[r]) > 1e-10 * largest_coordinate_ ? slow_part_of_drift : 1.;
-        const Vec<dim> way  = (-part * own.weight) * drift[r]; // the weight is 1 or -1
-        place[own.node] += way;
-        balances_[problem_.places()[r].tie].correction_energy -=
-          dot(way, surface.mass[own.node] * surface.acceleration[own.node] - link[own.node]);
+        if (own.domain == side.number)
+          place[own.node] -= own.weight * drift[r]; // the weight is 1 or -1
       }
     side.domain->correct_surface(place);
   }

@@ -85,8 +85,9 @@ namespace Breakwater
     Vectors multiplier_for_common_velocity(const std::vector<const Vectors *> &velocity, double coarse_step,
                                            double fine_step);
 
-    Vectors link_force(const Side &side, const Vectors &multiplier) const;           ///< [N], one per node
-    Vectors mismatch(const std::vector<const Vectors *> &field) const;               ///< sum of w times field
+    Vectors link_force(const Side &side, const Vectors &multiplier) const; ///< [N], one per node
+    Vectors mismatch(const std::vector<const Vectors *> &field) const;     ///< sum of w times field
+    Vectors mismatch(Vectors WetSurface<dim>::*field) const;
     void    add_multiplier(Side &side, const Vectors &multiplier, double time_step); ///< and keeps it
     Start   start_of_step(const Side &side, double time_step) const;
     void    add_link_work(const Side &side, const Start &start, double coarse_step);
@@ -118,7 +119,7 @@ namespace Breakwater
     void tie_adopted(unsigned int tie, unsigned int adopter, unsigned int owner, std::vector<TiedPlace> &places);
     void tie_matching(unsigned int tie, std::vector<TiedPlace> &places) const;
     void check_places();
-    void move_copies(const Side &side, const Vectors &drift);
+    void move_copies(const Side &side, const Vectors &drift) const;
     std::vector<const WetSurface<dim> *> surfaces() const;
 
     std::string  interface_     = "matching";
@@ -128,11 +129,10 @@ namespace Breakwater
     std::string  coarse_domain_ = "automatic";
 
     std::vector<Tie>                 ties_;
-    std::vector<double>              part_of_step_;           ///< [domain] of its stable step that it may take
-    std::vector<char>                has_adopted_;            ///< [domain]
-    std::vector<TiedPlace>           places_of_adopted_;      ///< the first of all places
-    double                           largest_coordinate_ = 0; ///< [m]
-    std::vector<double>              carried_mass_;           ///< by their adopted nodes for the owner [kg]
-    std::vector<std::vector<Action>> actions_;                ///< [domain]
+    std::vector<double>              part_of_step_;      ///< [domain] of its stable step that it may take
+    std::vector<char>                has_adopted_;       ///< [domain]
+    std::vector<TiedPlace>           places_of_adopted_; ///< the first of all places
+    std::vector<double>              carried_mass_;      ///< by their adopted nodes for the owner [kg]
+    std::vector<std::vector<Action>> actions_;           ///< [domain]
   };
 } // namespace Breakwater

@@ -212,6 +212,7 @@ namespace Breakwater
     parameters_.walls.load(stream);
     collect_curved_facets();
     collect_rim_facets();
+    collect_interface_cells();
     if (!body_force_is_uniform_)
       update_body_acceleration();
     refresh_surface();

@@ -343,13 +343,46 @@ namespace Breakwater
   }
 
 
+  // The volumes that pressures are measured from change with the cells.
   template <int dim>
   void PfemFluid<dim>::correct_surface(const std::vector<Vec<dim>> &position)
   {
+    constexpr double    round_off = 1e-10; // in spacings: without effect on the pressure
+    double              largest   = 0;
+    std::vector<double> change(interface_cells_.size());
+    for (std::size_t k = 0; k < change.size(); ++k)
+      change[k] = -signed_volume(nodes_.corners(mesh_.cells[interface_cells_[k]]));
     for (std::size_t i = 0; i < nodes_.n_interface; ++i)
-      for (int d = 0; d < dim; ++d)
-        nodes_.xp[i][d] = position[i][d];
+      {
+        largest = std::max(largest, norm(position[i] - nodes_.position(i)));
+        for (int d = 0; d < dim; ++d)
+          nodes_.xp[i][d] = position[i][d];
+      }
+    for (std::size_t k = 0; largest > round_off * parameters_.spacing && k < change.size(); ++k)
+      {
+        const unsigned int c = interface_cells_[k];
+        change[k] += signed_volume(nodes_.corners(mesh_.cells[c]));
+        if (!cell_volume_at_rest_.empty())
+          cell_volume_at_rest_[c] += change[k];
+        for (const unsigned int i : mesh_.cells[c])
+          {
+            nodes_.volume[i] += change[k] / (dim + 1);
+            nodes_.reference_volume[i] += change[k] / (dim + 1);
+          }
+      }
     refresh_surface();
+  }
+
+
+  template <int dim>
+  void PfemFluid<dim>::collect_interface_cells()
+  {
+    interface_cells_.clear();
+    for (unsigned int c = 0; c < mesh_.cells.size(); ++c)
+      if (std::any_of(mesh_.cells[c].begin(), mesh_.cells[c].end(), [this](const unsigned int i) {
+            return i < nodes_.n_interface;
+          }))
+        interface_cells_.push_back(c);
   }
 
 

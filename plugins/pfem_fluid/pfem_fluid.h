@@ -89,6 +89,7 @@ namespace Breakwater
     void              diffuse_density();
     void              filter_velocity();
     void              refresh_surface();
+    void              collect_interface_cells();
     double            largest_speed() const; ///< that is allowed [m/s]
     void              check_state() const;
     [[noreturn]] void fail_at_node(std::size_t node, double fastest) const;
@@ -187,6 +188,8 @@ namespace Breakwater
     std::vector<double>      cell_viscosity_;      ///< of a fluid that is not Newtonian [Pa s]
     Vec<dim>                 slip_impulse_;    ///< that slip_ took from the interface nodes since the start [kg m/s]
     std::vector<Vec<dim>>    contact_impulse_; ///< of leaked nodes, to be given to the interface nodes [kg m/s]
+
+    std::vector<unsigned int> interface_cells_; ///< cells of the mesh with interface nodes
 
     DomainBalance<dim> received_; ///< of all nodes that have come in, less those that have gone
 

@@ -14,8 +14,9 @@ namespace Breakwater
     return names[static_cast<unsigned int>(phase)];
   }
 
-  CsvTable::CsvTable(const std::filesystem::path &file, const bool append)
+  CsvTable::CsvTable(const std::filesystem::path &file, const bool append, const unsigned int n_digits)
     : append_(append && std::filesystem::exists(file))
+    , n_digits_(n_digits)
   {
     if (append_)
       {
@@ -55,7 +56,7 @@ namespace Breakwater
     for (std::size_t i = 0; i < row.size(); ++i)
       {
         char number[32];
-        std::snprintf(number, sizeof(number), "%.10g", row[i].second);
+        std::snprintf(number, sizeof(number), "%.*g", static_cast<int>(n_digits_), row[i].second);
         line += (i == 0 ? "" : ",") + std::string(number);
       }
     stream_ << line << '\n' << std::flush;
@@ -73,7 +74,7 @@ namespace Breakwater
   {
     std::unique_ptr<CsvTable> &table = tables_[name];
     if (table == nullptr)
-      table = std::make_unique<CsvTable>(output_directory_ / (name + ".csv"), resumed_);
+      table = std::make_unique<CsvTable>(output_directory_ / (name + ".csv"), resumed_, n_digits);
     return *table;
   }
 

@@ -93,6 +93,7 @@ namespace Breakwater
                Range::not_negative());
     reader.add("History every", history_every_,
                "Simulated time between two rows of history.csv [s]; 0: a row at every step.", Range::not_negative());
+    reader.add("Digits", n_digits_, "Significant digits in history.csv, remeshing.csv and other tables.", 4, 17);
     reader.add("Probes", probes_text_,
                "Points of a structure whose displacements go to history.csv: NAME: STRUCTURE(x, y, z), several of "
                "them separated by semicolons. The point [m] must lie at a node of the undeformed structure, within "

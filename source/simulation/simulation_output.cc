@@ -114,7 +114,8 @@ namespace Breakwater
         for (const auto &table : table_sizes(directory))
           cut_table(table.first, time);
       }
-    context_ = std::make_unique<RunContext>(directory, options.resume);
+    context_           = std::make_unique<RunContext>(directory, options.resume);
+    context_->n_digits = n_digits_;
     write_whole_file(directory / "parameters.prm", parameters);
   }
 
@@ -184,7 +185,7 @@ namespace Breakwater
         row.emplace_back("interface energy [J]", balance.energy);
         row.emplace_back("interface velocity gap [m/s]", balance.velocity_gap);
         row.emplace_back("interface displacement drift [m]", balance.displacement_drift);
-        row.emplace_back("interface correction energy [J]", balance.correction_energy);
+        row.emplace_back("interface displacement taken back [m]", balance.taken_back);
         row.emplace_back("interface substeps [-]", balance.n_substeps);
         row.emplace_back("interface unknowns [-]", balance.n_unknowns);
         row.emplace_back("interface iterations [-]", balance.n_iterations);
@@ -381,7 +382,7 @@ namespace Breakwater
         summary.add("interface energy [J]", balance.energy);
         summary.add("largest interface velocity gap [m/s]", balance.largest_gap);
         summary.add("largest interface displacement drift [m]", balance.largest_drift);
-        summary.add("interface correction energy [J]", balance.correction_energy);
+        summary.add("largest interface displacement taken back [m]", balance.largest_taken_back);
         summary.add("momentum made by the interface [kg m/s]", norm(balance.momentum));
       }
     for (const auto &[name, value] : context.summary())

@@ -32,7 +32,8 @@ namespace Breakwater
   {
   public:
     /// @param append go on with an existing file of these columns (a resumed run)
-    explicit CsvTable(const std::filesystem::path &file, bool append = false);
+    /// @param n_digits significant ones of each number
+    explicit CsvTable(const std::filesystem::path &file, bool append = false, unsigned int n_digits = 10);
 
     /// @pre same names in the same order as in the first row.
     void add_row(const Row &row);
@@ -41,6 +42,7 @@ namespace Breakwater
     std::ofstream            stream_;
     std::vector<std::string> columns_;
     bool                     append_;
+    unsigned int             n_digits_;
   };
 
   /// What every part of a run may write to: counters, CPU time by phase, tables and notes. Owned by the simulation,
@@ -78,6 +80,8 @@ namespace Breakwater
 
     /// What limits the step at present, for the progress line: "fluid (spectral)".
     std::string step_limited_by;
+
+    unsigned int n_digits = 10; ///< significant digits in the tables that are made from now on
 
     unsigned long cell_steps = 0; ///< of fluid solvers: cells times steps
     unsigned long steps      = 0; ///< of the domain with the smallest step

@@ -21,9 +21,10 @@ namespace Breakwater
     double       energy             = 0; ///< kinetic energy from the link forces on both domains since the start [J]
     double       velocity_gap       = 0; ///< largest difference of the tied velocities at the last fine step [m/s]
     double       largest_gap        = 0; ///< largest velocity gap of the run [m/s]
-    double       displacement_drift = 0; ///< largest difference of the tied positions since the last correction [m]
+    double       displacement_drift = 0; ///< largest difference of the tied positions after the last coarse step [m]
     double       largest_drift      = 0; ///< largest displacement drift of the run [m]
-    double       correction_energy  = 0; ///< what putting drifted nodes back has given to the domains [J]
+    double       taken_back         = 0; ///< largest way by which a node was put back after the last coarse step [m]
+    double       largest_taken_back = 0; ///< of the run [m]
     Vec<3>       momentum;               ///< that the link forces on all domains have not in balance [kg m/s]
     unsigned int n_substeps   = 1;       ///< fine steps in the last coarse step, m
     unsigned int n_unknowns   = 0;       ///< multipliers that are solved for together; 0: each on its own

@@ -105,6 +105,8 @@ namespace Breakwater
     virtual void lend_mass(const std::vector<double> &mass) = 0;
 
     /// Puts the nodes of the wet surface to places [m] from which they differ by what time stepping let drift apart.
+    /// Where the surface is adopted, no force feels the move, so that it does no work: what a fluid gains or loses in
+    /// volume leaves its pressure as it is. A solid remembers where its nodes were: its strain changes.
     /// @pre one place per node
     virtual void correct_surface(const std::vector<Vec<dim>> &position) = 0;
 

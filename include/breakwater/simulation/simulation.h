@@ -140,6 +140,7 @@ namespace Breakwater
     std::string                     directory_;
     double                          fields_every_  = 0.01;  ///< [s]
     double                          history_every_ = 0.001; ///< [s]
+    unsigned int                    n_digits_      = 10;
     std::string                     probes_text_;
     double                          checkpoints_every_      = 0;   ///< simulated [s]
     double                          checkpoints_every_wall_ = 600; ///< [s]

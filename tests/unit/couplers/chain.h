@@ -103,7 +103,7 @@ namespace Breakwater
     void set_adopts(const bool adopts) { adopts_ = adopts; }
     void correct_surface(const std::vector<Vec<2>> &position) override
     {
-      u_[tied_] = position[0][0] - rest_[tied_];
+      rest_[tied_] = position[0][0] - u_[tied_];
       update_surface();
     }
     DomainBalance<2> balance() const override

@@ -46,7 +46,7 @@ namespace Breakwater
   struct Outcome
   {
     double error = 0, energy = 0, largest_energy = 0, interface_energy = 0, largest_interface_energy = -1,
-           largest_pseudo_growth = -1, gap = 0, correction = 0;
+           largest_pseudo_growth = -1, gap = 0;
   };
 
   template <class Coupling>
@@ -58,8 +58,7 @@ namespace Breakwater
     outcome.largest_interface_energy = std::max(outcome.largest_interface_energy, outcome.interface_energy);
     outcome.largest_pseudo_growth =
       std::max(outcome.largest_pseudo_growth, (pair.coupling.pseudo_energy() - pseudo_before) / pair.start_energy);
-    outcome.gap        = pair.coupling.balance(0).largest_gap;
-    outcome.correction = pair.coupling.balance(0).correction_energy / pair.start_energy;
+    outcome.gap = pair.coupling.balance(0).largest_gap;
   }
 
 
