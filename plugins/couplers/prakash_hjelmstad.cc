@@ -11,7 +11,7 @@ namespace Breakwater
 {
   namespace
   {
-    constexpr unsigned int most_passes   = 100;
+    constexpr unsigned int most_passes   = 45;
     constexpr std::size_t  most_memories = 60;
 
     /// Velocity gap that is allowed after so many passes, relative to the largest tied velocity: what round-off leaves of
@@ -66,7 +66,35 @@ namespace Breakwater
       }
     this->choose_coarse_domains();
     this->problem_.reset_iterations();
-    const auto           schedule    = this->plan_steps(max_time_step);
+    Schedule   schedule = this->plan_steps(max_time_step);
+    const auto shorten  = [&schedule](const unsigned int n_substeps) {
+      schedule.coarse_step *= static_cast<double>(n_substeps) / schedule.n_substeps;
+      schedule.n_substeps = n_substeps;
+    };
+    if (schedule.n_substeps > allowed_substeps_)
+      shorten(allowed_substeps_);
+    while (!make_step(schedule))
+      {
+        if (schedule.n_substeps == 1)
+          throw BreakdownError("Coupling: after " + std::to_string(most_passes) +
+                               " repetitions of a single step the velocities still differ by more than 1e-6 of the "
+                               "largest one. Use the Gravouil-Combescure coupler.");
+        allowed_substeps_ = schedule.n_substeps / 2;
+        shorten(allowed_substeps_);
+        residual_changes_.clear();
+        target_changes_.clear();
+        this->context_->set_summary("coarse_steps_made_shorter", ++n_shortened_);
+      }
+    if (allowed_substeps_ < schedule.n_substeps + 1)
+      allowed_substeps_ = schedule.n_substeps + 1;
+    return schedule.coarse_step;
+  }
+
+
+  template <int dim>
+  bool PrakashHjelmstad<dim>::make_step(const Schedule &schedule)
+  {
+    const Snapshot       snapshot    = take_snapshot();
     const double         coarse_step = schedule.coarse_step;
     std::vector<Vectors> free_velocity(this->sides_.size());
     std::vector<Start>   start(this->sides_.size());
@@ -78,9 +106,8 @@ namespace Breakwater
           free_velocity[side.number] = side.surface().velocity;
         }
 
-    const Vectors  start_multiplier = this->sides_.front().multiplier;
-    const Snapshot snapshot         = take_snapshot();
-    Numbers        guess            = flat(start_multiplier);
+    const Vectors start_multiplier = this->sides_.front().multiplier;
+    Numbers       guess            = flat(start_multiplier);
     add(guess, 1., flat(last_change_));
     last_residual_.clear();
     this->n_done_ = schedule.n_substeps;
@@ -89,22 +116,26 @@ namespace Breakwater
         make_fine_steps(start_multiplier, vectors<dim>(guess), coarse_step, schedule.n_substeps);
         const Vectors gap   = residual(free_velocity, vectors<dim>(guess), coarse_step);
         double        speed = 0, largest = 0;
+        bool          is_finite = true;
         for (const Side &side : this->sides_)
           for (const Vec<dim> &v : side.surface().velocity)
             speed = std::max(speed, norm(v));
         for (const Vec<dim> &g : gap)
-          largest = std::max(largest, norm(g));
+          {
+            largest   = std::max(largest, norm(g));
+            is_finite = is_finite && std::isfinite(norm(g));
+          }
         this->n_passes_ = pass;
-        if (largest <= tolerance(pass) * speed)
+        if (is_finite && largest <= tolerance(pass) * speed)
           break;
-        if (pass == most_passes || !std::isfinite(largest))
-          throw BreakdownError("Coupling: after " + std::to_string(pass) +
-                               " repetitions of the fine steps the velocities still differ by " +
-                               std::to_string(largest / speed) +
-                               " of the largest one, allowed is 1e-6. Use the Gravouil-Combescure coupler.");
+        if (pass == most_passes || !is_finite)
+          {
+            go_back_to(snapshot, true);
+            return false;
+          }
         const std::vector<double> half_step(this->sides_.size(), 0.5 * coarse_step);
         guess = next_guess(guess, flat(this->solve_with(half_step, gap)));
-        go_back_to(snapshot);
+        go_back_to(snapshot, false);
       }
 
     for (Side &side : this->sides_)
@@ -118,7 +149,7 @@ namespace Breakwater
     this->measure_gap();
     this->take_back_drift();
     this->end_steps(true);
-    return coarse_step;
+    return true;
   }
 
 
@@ -129,8 +160,7 @@ namespace Breakwater
     for (const Side &side : this->sides_)
       {
         std::ostringstream stream;
-        if (!side.is_coarse)
-          side.domain->save(stream);
+        side.domain->save(stream);
         snapshot.domains.push_back(stream.str());
         snapshot.multipliers.push_back(side.multiplier);
       }
@@ -139,14 +169,15 @@ namespace Breakwater
 
 
   template <int dim>
-  void PrakashHjelmstad<dim>::go_back_to(const Snapshot &snapshot)
+  void PrakashHjelmstad<dim>::go_back_to(const Snapshot &snapshot, const bool of_coarse)
   {
     for (Side &side : this->sides_)
       {
         side.multiplier = snapshot.multipliers[side.number];
+        if (side.is_coarse && !of_coarse)
+          continue;
         std::istringstream stream(snapshot.domains[side.number]);
-        if (!side.is_coarse)
-          side.domain->load(stream);
+        side.domain->load(stream);
       }
     this->balances_      = snapshot.balances;
     this->pseudo_energy_ = snapshot.pseudo_energy;
@@ -268,6 +299,8 @@ namespace Breakwater
   {
     Base::save(stream);
     write_binary(stream, last_change_);
+    write_binary(stream, allowed_substeps_);
+    write_binary(stream, n_shortened_);
     write_binary(stream, residual_changes_.size());
     for (std::size_t k = 0; k < residual_changes_.size(); ++k)
       {
@@ -283,6 +316,8 @@ namespace Breakwater
     Base::load(stream);
     std::size_t n = 0;
     read_binary(stream, last_change_);
+    read_binary(stream, allowed_substeps_);
+    read_binary(stream, n_shortened_);
     read_binary(stream, n);
     residual_changes_.resize(n);
     target_changes_.resize(n);

@@ -14,6 +14,7 @@ failures = Failures()
 DAM_BREAK = os.path.join(SOURCES, "parameter_files/cookbooks/dam_break.prm")
 JET = os.path.join(SOURCES, "parameter_files/cookbooks/filling_jet.prm")
 OBSTACLE = os.path.join(SOURCES, "parameter_files/cookbooks/dam_break_elastic_obstacle.prm")
+OBSTACLE_2D = os.path.join(SOURCES, "parameter_files/benchmarks/dam_break_elastic_obstacle_2d.prm")
 TIED = os.path.join(SOURCES, "parameter_files/verification/tied_bars.prm")
 CASES = {
     "fluid": [DAM_BREAK, "--set", "Fluid/Pfem/Spacing=0.008", "--set", "End time=0.3", "--set",
@@ -31,6 +32,10 @@ CASES = {
         "Structures/Second/Material/Linear elastic/Young's modulus=1e6", "--set",
         "Structures/Second/Stops=0.33, 0, 0; -1, 0, 0", "--set",
         "Coupling/Ties=Fluid and Obstacle, Fluid and Second, Obstacle and Second"],
+    "subcycled": [OBSTACLE_2D, "--set", "End time=0.3", "--set", "Coupling/Gravouil Combescure/Substeps=5", "--set",
+                  "Coupling/Gravouil Combescure/Coarse domain=first", "--set",
+                  "Coupling/Gravouil Combescure/Interface=non-matching", "--set",
+                  "Coupling/Gravouil Combescure/Spacing=0.005"],
     "structures": [TIED, "--set", "End time=0.3", "--set", "Output/History every=0.003", "--set",
                    "Structures/Root/Mesh=box(0, 0; 0.4, 0.1; 32, 8)", "--set",
                    "Structures/Middle/Mesh=box(0.4, 0; 0.7, 0.1; 24, 8)", "--set",

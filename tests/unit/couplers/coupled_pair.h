@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <memory>
 #include <random>
+#include <sstream>
 #include <string>
 #include <utility>
 
@@ -102,5 +103,29 @@ namespace Breakwater
         observe(pair, pseudo_before, outcome);
       }
     return outcome;
+  }
+
+
+  /// Ten coarse steps; the other pair goes on from a checkpoint of the first one for ten more, as that one does.
+  template <class Coupling>
+  void expect_same_bits_after_resume(CoupledPair<Coupling> &whole, CoupledPair<Coupling> &resumed)
+  {
+    whole.start();
+    for (unsigned int i = 0; i < 10; ++i)
+      whole.coupling.advance(1.);
+    std::stringstream checkpoint;
+    whole.first.save(checkpoint);
+    whole.second.save(checkpoint);
+    whole.coupling.save(checkpoint);
+    resumed.start();
+    resumed.first.load(checkpoint);
+    resumed.second.load(checkpoint);
+    resumed.coupling.load(checkpoint);
+    for (CoupledPair<Coupling> *pair : {&whole, &resumed})
+      for (unsigned int i = 0; i < 10; ++i)
+        pair->coupling.advance(1.);
+    EXPECT_EQ(whole.first.displacement(), resumed.first.displacement());
+    EXPECT_EQ(whole.second.velocity(), resumed.second.velocity());
+    EXPECT_EQ(whole.coupling.balance(0).energy, resumed.coupling.balance(0).energy);
   }
 } // namespace Breakwater

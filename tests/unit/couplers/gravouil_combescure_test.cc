@@ -3,7 +3,6 @@
 #include <unit/plugins/given_parameters.h>
 
 #include <cstdio>
-#include <sstream>
 
 #include "coupled_pair.h"
 
@@ -258,23 +257,7 @@ namespace
   TEST(GravouilCombescure, ResumedRunHasTheSameBits)
   {
     Pair whole = bars(20, 5, true, 5), resumed = bars(20, 5, true, 5);
-    whole.start();
-    for (unsigned int i = 0; i < 10; ++i)
-      whole.coupling.advance(1.);
-    std::stringstream checkpoint;
-    whole.first.save(checkpoint);
-    whole.second.save(checkpoint);
-    whole.coupling.save(checkpoint);
-    resumed.start();
-    resumed.first.load(checkpoint);
-    resumed.second.load(checkpoint);
-    resumed.coupling.load(checkpoint);
-    for (Pair *pair : {&whole, &resumed})
-      for (unsigned int i = 0; i < 10; ++i)
-        pair->coupling.advance(1.);
-    EXPECT_EQ(whole.first.displacement(), resumed.first.displacement());
-    EXPECT_EQ(whole.second.velocity(), resumed.second.velocity());
-    EXPECT_EQ(whole.coupling.balance(0).energy, resumed.coupling.balance(0).energy);
+    expect_same_bits_after_resume(whole, resumed);
   }
 
 
