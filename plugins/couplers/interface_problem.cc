@@ -138,7 +138,7 @@ namespace Breakwater
         result.is_held.push_back(compliance(node.domain, node.node, direction, surfaces, factor) == 0);
     const Rows rows = is_condensed_ ? rows_of_shared_nodes(result.own_compliance, direction, surfaces, factor) :
                                       rows_of_places(direction, surfaces, factor);
-    result.solver   = std::make_unique<SparseSolver>(rows, places_.size() <= direct_up_to_);
+    result.solver   = std::make_unique<SparseSolver>(rows, rows.size() <= direct_up_to_);
     return result;
   }
 

@@ -41,8 +41,8 @@ namespace Breakwater
                "domain must be stable with its part.",
                Range{0.01, 0.99});
     reader.add("Direct solver up to", direct_up_to_,
-               "Number of tied places up to which the equations of an interface that does not match are solved "
-               "directly; beyond it by conjugate gradients.");
+               "Number of equations of an interface that does not match (its places, or the structure's nodes there if "
+               "these are fewer) up to which they are solved directly; beyond it by conjugate gradients.");
     reader.add("Coarse domain", coarse_domain_,
                "The domain with the larger step: chosen at every step by the stable steps (automatic), always the "
                "first one of a tie (the fluid) or always the second one (the structure)",
@@ -172,10 +172,7 @@ namespace Breakwater
       for (InterfaceBalance &balance : balances_)
         balance.n_unknowns = dim * places.size();
     context.note_effect("coupling (" + description() + ", " +
-                          (problem_.is_diagonal()         ? "nothing to solve" :
-                           places.size() <= direct_up_to_ ? "solved directly" :
-                                                            "solved by conjugate gradients") +
-                          ")",
+                          (problem_.is_diagonal() ? "nothing to solve" : "equations to solve") + ")",
                         true);
   }
 

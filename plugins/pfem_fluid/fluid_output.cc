@@ -2,6 +2,7 @@
 #include "volume_conservation.h"
 
 #include <breakwater/base/binary_stream.h>
+#include <breakwater/base/exceptions.h>
 
 #include <algorithm>
 #include <numeric>
@@ -194,6 +195,9 @@ namespace Breakwater
     visit(received_);
     visit(contact_impulse_);
     InterfaceSlip<dim>::visit_state(slip_, visit);
+    if (slip_.taken_forces().size() != (slip_.is_on() ? nodes_.n_interface : 0))
+      throw InputError(name_ + ": the checkpoint was written with another \"Law at structures\". Resume with the scene "
+                               "that wrote it.");
     visit(slip_impulse_);
     visit(cell_volume_at_rest_);
     visit(effects_.cell_stiffness);

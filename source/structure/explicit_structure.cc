@@ -190,7 +190,8 @@ namespace Breakwater
     context.note_effect(name_ + ": body forces", body_forces_act_ && !body_forces.empty(),
                         body_forces.empty() ? "the scene has none" : "switched off by \"Body forces act\"");
     context.note_effect(name_ + ": damping", damping_ > 0, "\"Damping\" is 0");
-    context.note_effect(name_ + ": stops", !stop_lists_[0].empty(), "\"Stops\" names none");
+    context.note_effect(name_ + ": stops", !stop_lists_[0].empty(),
+                        "\"Stops\" names none; joined nodes feel those of other bodies");
     if (!stop_lists_[0].empty())
       list_of_node_.assign(n_nodes, 0);
     body_acceleration_is_fixed_ = std::all_of(body_forces.begin(), body_forces.end(), [](const auto &body_force) {

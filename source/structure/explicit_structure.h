@@ -102,7 +102,8 @@ namespace Breakwater
     std::vector<Vec<dim>>            link_force_; ///< in the present accelerations, [node of wet_surface_] [N]
     Load                             load_;       ///< since the last row of the history
 
-    std::vector<std::vector<Stop<dim>>> stop_lists_;   ///< the scene's, then those of nodes that others share
+    /// The scene's, then those of nodes that others share.
+    std::vector<std::vector<Stop<dim>>> stop_lists_ = std::vector<std::vector<Stop<dim>>>(1);
     std::vector<unsigned int>           list_of_node_; ///< number in stop_lists_; empty if there are no stops
 
     double                time_             = 0;      ///< [s]

@@ -27,7 +27,7 @@ namespace Breakwater
     double       largest_taken_back = 0; ///< of the run [m]
     Vec<3>       momentum;               ///< that the link forces on all domains have not in balance [kg m/s]
     unsigned int n_substeps   = 1;       ///< fine steps in the last coarse step, m
-    unsigned int n_unknowns   = 0;       ///< multipliers that are solved for together; 0: each on its own
+    unsigned int n_unknowns   = 0;       ///< multipliers that depend on each other; 0: each on its own
     unsigned int n_iterations = 0;       ///< of the solver in the last coarse step; 0: direct or nothing to solve
   };
 

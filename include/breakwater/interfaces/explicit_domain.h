@@ -110,10 +110,13 @@ namespace Breakwater
     /// @pre one place per node
     virtual void correct_surface(const std::vector<Vec<dim>> &position) = 0;
 
-    /// The planes that a node of the wet surface can't cross, such as floors, and other ones in their place. Nodes that
-    /// move as one must have the same ones. A domain that knows none has none.
+    /// The planes that a node of the wet surface can't cross, such as floors; none if the domain knows no stops.
+    /// @pre a number in wet_surface()
     virtual std::vector<Stop<dim>> stops(unsigned int /*node*/) const { return {}; }
-    virtual void                   set_stops(unsigned int /*node*/, const std::vector<Stop<dim>>                   &/*stops*/) {}
+
+    /// Puts other planes in their place. Nodes that move as one must have the same ones. A domain without stops ignores it.
+    /// @pre a number in wet_surface(), before the first step
+    virtual void set_stops(unsigned int /*node*/, const std::vector<Stop<dim>> & /*stops*/) {}
 
     virtual DomainBalance<dim> balance() const = 0;
 

@@ -23,7 +23,8 @@ namespace Breakwater
     std::vector<Vec<dim>>                                  inverse_mass; ///< [1/kg], 0 in a direction that is held
     std::vector<double>                                    mass;         ///< [kg], held or not
     std::vector<std::array<unsigned int, nodes_per_facet>> facets;
-    /// [node] true within an edge or face of an element of degree 2, which is curved; empty: no such nodes.
+    /// [node] of a domain that owns its nodes: true in the middle of an edge or face of an element of degree 2, which
+    /// may bend; empty: no such nodes.
     std::vector<char> is_middle;
     unsigned int      revision = 0; ///< grows when nodes, facets or masses change
   };
