@@ -7,17 +7,21 @@ from _scene import Verification, read_summary, run
 
 
 def slide(law, spacing=0.01):
-    """Impulse on the plate along it, and what of the fluid's momentum is missing, over the fluid's momentum [-]."""
+    """Impulse on the plate along it, and what of the fluid's momentum is missing, over the fluid's momentum [-]; the
+    force across the plate in the second half of the time, over the fluid's weight [-]."""
     history = run("verification/sliding_layer.prm", {
         "Fluid/Pfem/Law at structures": law, "Fluid/Pfem/Spacing": spacing,
         "Structures/Plate/Mesh": f"box(-0.5, -0.02; 1.5, 0; {round(2 / spacing)}, 2)"})
     momentum = history["fluid momentum x [kg m/s]"]
     impulse = 0.01 * sum(history["force on Plate x [N]"])  # means over a row of 10 ms
+    weight = 9.81 * history["fluid mass [kg]"][-1]
+    late = history["force on Plate y [N]"][len(history["time [s]"]) // 2:]
+    pressed = -sum(late) / len(late) / weight
     left_out = history.get("impulse left out along structures x [kg m/s]", [0])[-1]
     print(f"{law}, spacing {spacing} m: the fluid loses {1 - momentum[-1] / momentum[0]:.4f} of its momentum, the plate "
           f"gets {impulse / momentum[0]:.2e}, {left_out / momentum[0]:.4f} is left out, "
-          f"weight on the plate {-history['force on Plate y [N]'][-1]:.0f} N, {read_summary()['cpu_seconds']:.1f} CPU s")
-    return impulse / momentum[0], (momentum[-1] + impulse + left_out) / momentum[0] - 1
+          f"{pressed:.3f} of the fluid's weight is on the plate, {read_summary()['cpu_seconds']:.1f} CPU s")
+    return impulse / momentum[0], (momentum[-1] + impulse + left_out) / momentum[0] - 1, pressed
 
 
 verification = Verification()
@@ -25,10 +29,11 @@ if "study" in sys.argv:
     for law in ("no slip", "free slip"):
         for spacing in (0.01, 0.005, 0.0025):
             slide(law, spacing)
-impulse, missing = slide("no slip")
+impulse, missing, pressed = slide("no slip")
 verification.check("no slip: impulse on the plate", impulse, 0.1, 0.4)
 verification.check("no slip: missing momentum", missing, -1e-3, 1e-3)
-impulse, missing = slide("free slip")
+impulse, missing, pressed = slide("free slip")
+verification.check("free slip: force across the plate over the fluid's weight", pressed, 0.9, 1.1)
 verification.check("free slip: impulse on the plate", impulse, -1e-5, 1e-5)
 verification.check("free slip: missing momentum", missing, -1e-3, 1e-3)
 
