@@ -12,15 +12,16 @@ namespace Breakwater
   ///
   /// A cell goes if r is below the target, at least one of its facets is on the boundary and each such facet has a node
   /// that slides on the surface or lies between nodes on the line where surface and wall meet, it is flat (height
-  /// 3 V / A_max at most 0.35 h; in 2D 2 A / longest edge), no node loses its last cell, and the volume taken in all
-  /// stays below a part of the mesh's. Films against a wall, at most 0.05 h high, go as long as interfaces stay closed.
+  /// 3 V / A_max at most 0.35 h; in 2D 2 A / longest edge), no node loses its last cell, and the mesh's volume, with
+  /// what lifted nodes add, changes by no more than a part. Films against a wall, at most 0.05 h high, go as long as
+  /// interfaces stay closed.
   template <int dim>
   class Peel
   {
   public:
     using Facet = typename SimplexMesh<dim>::Facet;
 
-    /// @param largest_part of the mesh's volume that may be taken away
+    /// @param largest_part by which the mesh's volume may change [-]
     Peel(StarMesh<dim> &mesh, double largest_part);
 
     /// The entry for the largest part.

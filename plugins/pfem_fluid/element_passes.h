@@ -34,7 +34,8 @@ namespace Breakwater
     double divergence = 0; ///< of what deviates from the mean divergence around [-]
   };
 
-  /// The loops over cells, compiled once per instruction set (element_passes.cc, stress_passes.cc, filter_pass.cc). Cells are arrays [cell][dim + 1].
+  /// The loops over cells, compiled once per instruction set (element_passes.cc, stress_passes.cc, filter_pass.cc).
+  /// Cells are arrays [cell][dim + 1].
   struct ElementPasses
   {
     void (*volumes)(const unsigned int *cells, std::size_t n_cells, const Quad *xp, double *volume);
@@ -52,7 +53,8 @@ namespace Breakwater
                             const Quad *xp, const Quad *v, const Quad *gradient, const double *node_density,
                             const double *inverse_mass, Quad *impulse);
     /// First half of the mass exchange: `request` [cell][corner] is what each corner would get,
-    /// -weight (psi_a - mean psi) over the corners that take part (`active` 1, else 0); `given` and `taken` add up what nodes give and get.
+    /// -weight (psi_a - mean psi) over the corners that take part (`active` 1, else 0); `given` and `taken` add up what
+    /// nodes give and get.
     void (*exchange_requests)(const unsigned int *cells, std::size_t n_cells, const double *cell_weight,
                               const double *psi, const double *active, Quad *request, double *given, double *taken);
     /// Second half: moves the requested mass, scaled by the least `part` of the cell's donors. The velocity that goes
@@ -68,6 +70,7 @@ namespace Breakwater
     /// @param sum for each neighbour, of A_k, and in the fourth component of |V_c| / (2 (dim + 1) n_c); room as well
     /// @param own the same over all cells of the node
     /// @return number of neighbours
+    /// @pre 24 more entries can be read behind the last corner, each of a valid cell
     unsigned int (*pairs_around)(const unsigned int *cells, const unsigned int *corners, std::size_t n_corners,
                                  const Quad *x, const char *active, unsigned int first, unsigned int *place_of,
                                  unsigned int *around, Quad *sum, Quad *own);

@@ -24,8 +24,8 @@ namespace Breakwater
     /// @param n_interface the first nodes are of structures: cells between them alone do not matter
     Gaps(const std::vector<Cell> &cells, std::size_t n_nodes, std::size_t n_interface);
 
-    /// How far nodes at a gap have moved against each other, over half the distance that they had, or over the spacing if
-    /// that is more: the largest of all pairs. From 1 on they may soon meet.
+    /// How far nodes at a gap have moved against each other, over half the distance that they had, or over the spacing
+    /// if that is more: the largest of all pairs. From 1 on they may soon meet.
     /// @param position now and before [m]
     /// @param spacing of the nodes [m]
     double closure(const std::vector<Quad> &position, const std::vector<Quad> &position_before, double spacing) const;

@@ -8,14 +8,15 @@
 
 namespace Breakwater
 {
-  /// The pairs of nodes that share cells of a mesh, with what the volume operator D_ik = dV_i/dx_k and the mass exchange
-  /// have at each: what would be passes over the cells, made once, becomes products with sparse matrices.
+  /// The pairs of nodes that share cells of a mesh, with what the volume operator D_ik = dV_i/dx_k and the mass
+  /// exchange have at each: what would be passes over the cells, made once, becomes products with sparse matrices.
   template <int dim>
   class NodePairs
   {
   public:
     using Cell = typename SimplexMesh<dim>::Cell;
 
+    /// @pre cells are positively oriented; for the mass exchange, nodes.has_cells is that of these cells
     NodePairs(const FluidNodes<dim> &nodes, const std::vector<Cell> &cells);
 
     /// Row sums that bound the eigenvalues of the nodal-pressure fluid, M u'' = -D^T W D u.
@@ -29,7 +30,8 @@ namespace Breakwater
     std::vector<double> row_sums(const std::vector<double> &mass) const;
 
     /// Operator of the mass exchange: image_i = d_i psi_i - sum_k g_ik psi_k over the neighbours that take part, g_ik
-    /// the sum of |V_c| / (2 (dim + 1) n_c) over the cells of both, n_c the number of the cell's corners that take part.
+    /// the sum of |V_c| / (2 (dim + 1) n_c) over the cells of both, n_c the number of the cell's corners that take
+    /// part.
     /// @param diagonal d_i: conductance_sums() and more [m^dim]
     /// @return sum of psi_i image_i
     double exchange(const std::vector<double> &diagonal, const std::vector<double> &psi,

@@ -32,6 +32,7 @@ def speed_over_bernoulli(settings):
     print(f"fastest over Bernoulli's {worst[0]:.3f}: {worst[1]:.2f} m/s at {worst[2]:.4f} s")
     return worst[0]
 
+
 is_study = len(sys.argv) > 1
 spacing, end_time, *seeds = [float(argument) for argument in sys.argv[1:]] or [0.0125, 1, 1]
 # Measured at 12.5 mm: deficit -2.3 %, hull -0.9 to +1.7 %.

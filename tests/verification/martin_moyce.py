@@ -36,7 +36,6 @@ for name, file in (("Martin and Moyce", "martin_moyce_n2_2_a225_pysph.csv"),
     print(f"{name}: speed of the front {speed(experiments[name]):.3f}")
 
 
-
 def front_of(settings):
     history = run("verification/martin_moyce.prm", settings)
     return ([t * sqrt(2 * GRAVITY / WIDTH) for t in history["time [s]"]],
@@ -65,7 +64,8 @@ for spacing in (0.004, 0.002):
 if "study" in sys.argv:
     for settings in ({"Spacing": 0.001}, {"Tait/Sound speed": 40}, {"Tait/Sound speed": 80}, {"Initial state/Seed": 2},
                      {"Initial state/Seed": 3}, {"Stabilization/Velocity filter": 0},
-                     {"Stabilization/Density diffusion": 0}, {"Walls/Tank/Law": "no slip"}, {"Walls/Tank/Law": "no slip", "Spacing": 0.001}):
+                     {"Stabilization/Density diffusion": 0}, {"Walls/Tank/Law": "no slip"},
+                     {"Walls/Tank/Law": "no slip", "Spacing": 0.001}):
         title = ", ".join(f"{entry} = {value}" for entry, value in settings.items())
         ratio = compare(title, front_of({f"Fluid/Pfem/{entry}": value for entry, value in settings.items()}))
         print(f"{title}: speed {ratio:.3f}")
