@@ -20,7 +20,7 @@ namespace Breakwater
                                              const SmoothingTask<dim> &task, SmoothingReport &report)
   {
     StarMesh<dim> work(mesh, position, task);
-    Peel<dim>     peel(work, largest_peel_);
+    Peel<dim>     peel(work, VolumeBudget(largest_peel_ * work.volume()));
     relax_elastically(work, elastic_);
     smooth_by_transformations(work, getme_);
     if (peel.worst_first())

@@ -17,11 +17,11 @@ namespace Breakwater
     class Repair
     {
     public:
-      Repair(StarMesh<dim> &mesh, const double largest_peel, SmoothingReport &report)
+      Repair(StarMesh<dim> &mesh, const VolumeBudget &budget, SmoothingReport &report)
         : mesh_(mesh)
         , flips_(mesh)
         , node_step_(mesh)
-        , peel_(mesh, largest_peel)
+        , peel_(mesh, budget)
         , report_(report)
         , changed_in_(mesh.positions().size(), 0)
       {
@@ -51,6 +51,8 @@ namespace Breakwater
         const std::vector<unsigned int> bad = mesh_.bad_cells();
         return bad.empty() || mesh_.r(bad.front()) >= wanted_at_least();
       }
+
+      const VolumeBudget &budget() const { return peel_.budget(); }
 
     private:
       /// What is below this may have a surface that is a little other.
@@ -103,7 +105,7 @@ namespace Breakwater
         for (const unsigned int c : mesh_.bad_cells())
           if (mesh_.r(c) < wanted_at_least() && may_help(c))
             has_changed = flip(c) || move_nodes(c) || lift_nodes(c) || peel(c, {1., false}) || make_room(c, true) ||
-                          peel(c, {1., true}) || peel_.free_nodes(c) || has_changed;
+                          peel(c, {1., true}) || free_nodes(c) || has_changed;
         return has_changed;
       }
 
@@ -120,8 +122,17 @@ namespace Breakwater
       bool peel(const unsigned int c, const typename Peel<dim>::Limits &limits)
       {
         const auto cell = mesh_.cell(c);
-        if (!peel_.try_cell(c, limits))
-          return false;
+        return peel_.try_cell(c, limits) && note_removal(cell);
+      }
+
+      bool free_nodes(const unsigned int c)
+      {
+        const auto cell = mesh_.cell(c);
+        return peel_.free_nodes(c) && note_removal(cell);
+      }
+
+      bool note_removal(const typename SimplexMesh<dim>::Cell &cell)
+      {
         for (const unsigned int node : cell)
           note_change(node);
         return true;
@@ -186,7 +197,10 @@ namespace Breakwater
   template <int dim>
   void FlipsAndOptimization<dim>::declare_parameters(ParameterReader &reader)
   {
-    reader.add("Passes", n_passes_, "Largest number of passes over the bad cells after the first flips.", 0, 100);
+    reader.add(
+      "Passes", n_passes_,
+      "Largest number of passes over the bad cells after the first flips; as many again may change the surface.", 0,
+      100);
     Peel<dim>::declare(reader, largest_peel_);
   }
 
@@ -196,20 +210,20 @@ namespace Breakwater
                                           const SmoothingTask<dim> &task, SmoothingReport &report)
   {
     // Where cells are still bad, once more: from the places reached, and with what is left of the largest peel.
-    double largest_peel = largest_peel_;
-    for (unsigned int round = 0; round < 2; ++round)
+    VolumeBudget budget(0);
+    bool         is_good = false;
+    for (unsigned int round = 0; round < 2 && !is_good; ++round)
       {
-        StarMesh<dim>   work(mesh, position, task);
-        const double    volume = work.volume();
+        StarMesh<dim> work(mesh, position, task);
+        if (round == 0)
+          budget = VolumeBudget(largest_peel_ * work.volume());
         SmoothingReport one;
-        Repair<dim>     repair(work, largest_peel, one);
+        Repair<dim>     repair(work, budget, one);
         repair.run(n_passes_);
-        const bool is_good = repair.is_good();
+        is_good = repair.is_good();
+        budget  = repair.budget();
         work.finish();
         report.add(one);
-        if (is_good)
-          break;
-        largest_peel -= std::min(largest_peel, std::abs(one.lifted_volume - one.peeled_volume) / volume);
       }
   }
 

@@ -27,7 +27,7 @@ namespace Breakwater
     /// The same for a node of the free surface, off it as well, within what the budget has left.
     bool lift(unsigned int node, double wanted, VolumeBudget &budget)
     {
-      return is_on_surface(mesh_.freedom(node)) && improve(node, wanted, &budget);
+      return mesh_.is_at_surface(node) && improve(node, wanted, &budget);
     }
 
     /// How often lift() has moved a node, and the volume that this has added [m^dim].

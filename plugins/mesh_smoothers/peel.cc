@@ -28,9 +28,9 @@ namespace Breakwater
 
 
   template <int dim>
-  Peel<dim>::Peel(StarMesh<dim> &mesh, const double largest_part)
+  Peel<dim>::Peel(StarMesh<dim> &mesh, const VolumeBudget &budget)
     : mesh_(mesh)
-    , budget_(largest_part * mesh.volume())
+    , budget_(budget)
   {
   }
 
@@ -169,8 +169,6 @@ namespace Breakwater
   {
     ++n_cells_;
     volume_ += signed_volume(mesh_.corners_of(c));
-    for (const unsigned int node : mesh_.cell(c))
-      mesh_.note_bared(node);
     mesh_.remove(c);
     opened_.insert(opened_.end(), opened.begin(), opened.end());
     closed_.insert(closed_.end(), closed.begin(), closed.end());

@@ -21,8 +21,8 @@ namespace Breakwater
   public:
     using Facet = typename SimplexMesh<dim>::Facet;
 
-    /// @param largest_part by which the mesh's volume may change [-]
-    Peel(StarMesh<dim> &mesh, double largest_part);
+    /// @param budget by which the mesh's volume may change
+    Peel(StarMesh<dim> &mesh, const VolumeBudget &budget);
 
     /// The entry for the largest part.
     static void declare(ParameterReader &reader, double &largest_part);
@@ -40,7 +40,8 @@ namespace Breakwater
     /// budget it takes nothing where it hangs together with no other cell. @return whether the cell was taken away
     bool free_nodes(unsigned int cell);
 
-    VolumeBudget &budget() { return budget_; }
+    VolumeBudget       &budget() { return budget_; }
+    const VolumeBudget &budget() const { return budget_; }
 
     /// Tries all bad cells, the worst first. @return whether one was taken away
     bool worst_first();

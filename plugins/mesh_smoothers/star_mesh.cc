@@ -6,6 +6,12 @@
 
 namespace Breakwater
 {
+  namespace
+  {
+    constexpr double small_sine = 1e-3; ///< of an angle that is none
+  }
+
+
   template <int dim>
   StarMesh<dim>::StarMesh(SimplexMesh<dim> &mesh, std::vector<Vec<dim>> &position, const SmoothingTask<dim> &task)
     : mesh_(mesh)
@@ -16,7 +22,6 @@ namespace Breakwater
     , r_(mesh.cells.size())
     , rows_(position.size())
     , is_on_boundary_(position.size(), 0)
-    , is_bared_(position.size(), 0)
   {
     constexpr unsigned int spare = 6; // entries of each row for cells that come by flips
     for (const auto &cell : mesh.cells)
@@ -217,24 +222,45 @@ namespace Breakwater
       vector *= length > least ? 1. / length : 0.;
       return vector;
     };
-    area_ = mesh.area_vector(node);
-    if (!keeps_volume && is_on_surface(freedom))
+    area_                = mesh.area_vector(node);
+    const Vec<dim> &wall = mesh.task_.wall_normal[node];
+    if (!keeps_volume && mesh.is_at_surface(node))
       {
-        if (freedom == NodeFreedom::slides_on_line)
-          across_[0] = mesh.task_.wall_normal[node];
-        if (freedom == NodeFreedom::ends_on_edge)
-          set_direction(mesh.task_.wall_normal[node]);
+        if (freedom == NodeFreedom::slides_on_line || freedom == NodeFreedom::slides_on_wall)
+          across_[0] = wall;
+        if (freedom == NodeFreedom::ends_on_edge || freedom == NodeFreedom::slides_on_edge)
+          set_direction(wall);
         return;
       }
-    across_[0]          = unit(area_, 0.);
-    const bool is_bared = freedom == NodeFreedom::slides_on_wall && mesh.is_bared_[node];
-    if (freedom == NodeFreedom::slides_on_line || freedom == NodeFreedom::slides_on_edge || is_bared)
+    if (freedom == NodeFreedom::slides_on_edge)
       {
-        // Where the area vector is the wall's normal, nothing tells where a line goes; a bared node is still on the wall.
-        const Vec<dim> &normal = mesh.task_.wall_normal[node];
-        across_[1]             = unit(normal - across_[0] * dot(across_[0], normal), 1e-3);
-        const bool has_two     = norm(across_[1]) > 0;
-        is_fixed_              = is_bared ? dim == 2 && has_two : dim == 2 || !has_two;
+        set_direction(wall);
+        is_fixed_ = is_fixed_ || mesh.is_at_surface(node);
+        return;
+      }
+    across_[0] = unit(area_, 0.);
+    if (freedom == NodeFreedom::slides_on_line || freedom == NodeFreedom::slides_on_wall)
+      {
+        // Where the area vector is the wall's normal, nothing tells where a line goes.
+        across_[1]         = unit(wall - across_[0] * dot(across_[0], wall), small_sine);
+        const bool has_two = norm(across_[1]) > 0;
+        is_fixed_          = freedom == NodeFreedom::slides_on_wall ? dim == 2 && has_two : dim == 2 || !has_two;
+      }
+  }
+
+
+  template <int dim>
+  bool StarMesh<dim>::is_at_surface(const unsigned int node) const
+  {
+    const Vec<dim> area = area_vector(node), &wall = task_.wall_normal[node];
+    switch (freedom(node))
+      {
+        case NodeFreedom::slides_on_wall:
+          return norm(area - wall * dot(area, wall)) > small_sine * norm(area);
+        case NodeFreedom::slides_on_edge:
+          return std::abs(dot(area, wall)) > small_sine * norm(area);
+        default:
+          return is_on_surface(freedom(node));
       }
   }
 
@@ -316,9 +342,9 @@ namespace Breakwater
 
 
   template <int dim>
-  Vec<dim> StarMesh<dim>::within_reach(const unsigned int node, const Vec<dim> &step, const bool slides) const
+  Vec<dim> StarMesh<dim>::within_reach(const unsigned int node, const Vec<dim> &step, const bool keeps_volume) const
   {
-    const double   reach  = (slides && freedom(node) == NodeFreedom::slides_on_surface ? 0.3 : 0.5) * spacing();
+    const double   reach  = (keeps_volume && freedom(node) == NodeFreedom::slides_on_surface ? 0.3 : 0.5) * spacing();
     const Vec<dim> offset = position_[node] - start_[node];
     // |offset + t step| = reach
     const double a = dot(step, step), b = dot(offset, step), c = dot(offset, offset) - reach * reach;

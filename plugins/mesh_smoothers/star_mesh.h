@@ -73,9 +73,9 @@ namespace Breakwater
     /// above `least`, and no facet of the boundary turns over. @return whether it has moved
     bool try_move(unsigned int node, const Vec<dim> &displacement, double least);
 
-    /// As much of a step as keeps a node within 0.5 h of where it was before smoothing, 0.3 h where it slides on the free
-    /// surface.
-    Vec<dim> within_reach(unsigned int node, const Vec<dim> &step, bool slides = true) const;
+    /// As much of a step as keeps a node within 0.5 h of where it was when this was constructed, 0.3 h where it slides on
+    /// the free surface.
+    Vec<dim> within_reach(unsigned int node, const Vec<dim> &step, bool keeps_volume = true) const;
 
     /// False if a wall is in the way of a node of the boundary to a place.
     bool is_reachable(const unsigned int node, const Vec<dim> &x) const
@@ -90,12 +90,9 @@ namespace Breakwater
     /// Takes a cell away.
     void remove(unsigned int c);
 
-    /// Notes that a node of a wall may have come to lie on the free surface, as a cell was taken off there.
-    void note_bared(const unsigned int node) { is_bared_[node] = 1; }
-
     /// Takes the part out of a vector that a node can't move along: nothing inside, the component along its area vector
-    /// on the boundary, that along the wall's normal as well on a line or edge or where a wall has been bared, all if it is fixed. A node of the free
-    /// surface that need not keep the volume is kept by its wall only.
+    /// on the boundary, that along the wall's normal as well, all but that along an edge, all if it is fixed. A node of
+    /// the free surface that need not keep the volume is kept by its wall or edge only.
     class Constraint
     {
     public:
@@ -121,6 +118,9 @@ namespace Breakwater
       Vec<dim> area_;      ///< zero inside
       Vec<dim> across_[2]; ///< orthogonal to each other, unit length or zero
     };
+
+    /// True on the free surface, and where a wall or edge has been bared beside a node: its area vector tells.
+    bool is_at_surface(unsigned int node) const;
 
     /// Area vector of a node, dV/dx [m^(dim - 1)]: it depends on its neighbours only.
     Vec<dim> area_vector(unsigned int node) const;
@@ -155,7 +155,7 @@ namespace Breakwater
     std::vector<Row>            rows_;
     std::vector<unsigned int>   entries_;
     std::vector<unsigned int>   dead_;
-    std::vector<char>           is_on_boundary_, is_bared_;
+    std::vector<char>           is_on_boundary_;
     std::vector<double>         new_r_;  ///< of a star, in try_move()
     std::vector<Facet>          facets_; ///< of the boundary, in try_move()
   };

@@ -24,7 +24,7 @@ namespace Breakwater
     void spend(const double change) { spent_ += change; }
 
   private:
-    const double largest_;
-    double       spent_ = 0; ///< signed
+    double largest_;
+    double spent_ = 0; ///< signed
   };
 } // namespace Breakwater

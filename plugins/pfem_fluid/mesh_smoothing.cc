@@ -3,7 +3,6 @@
 #include "pfem_fluid.h"
 #include "remesh_record.h"
 
-
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -88,10 +87,9 @@ namespace Breakwater
           freedom[i] = is_surface ? NodeFreedom::slides_on_line : NodeFreedom::slides_on_wall;
         else if (n_walls == 2 && normal_of(0, i, wall_normal[i]))
           {
-            freedom[i] = NodeFreedom::slides_on_edge;
             Vec<dim> other;
-            if (is_surface && normal_of(1, i, other))
-              freedom[i] = make_direction(wall_normal[i], other) ? NodeFreedom::ends_on_edge : NodeFreedom::fixed;
+            if (normal_of(1, i, other) && make_direction(wall_normal[i], other))
+              freedom[i] = is_surface ? NodeFreedom::ends_on_edge : NodeFreedom::slides_on_edge;
           }
       }
     return freedom;

@@ -38,11 +38,12 @@ namespace Breakwater
   template <int dim>
   struct SmoothingTask
   {
-    const std::vector<NodeFreedom> &freedom;     ///< of the nodes
-    const std::vector<Vec<dim>>    &wall_normal; ///< at nodes that slide on a wall, an edge or a line; unit
-                                                 ///< length. At those that end on an edge, its direction
-    double spacing;                              ///< the wanted distance of nodes, h [m]
-    double target = 0.6;                         ///< wanted smallest insphere radius, in units of the regular cell's
+    const std::vector<NodeFreedom> &freedom; ///< of the nodes
+    const std::vector<Vec<dim>>
+      &wall_normal; ///< at nodes that slide on a wall or a line; the direction of the edge at nodes on one (3D); unit
+                    ///< length. At those that end on an edge, its direction
+    double spacing; ///< the wanted distance of nodes, h [m]
+    double target = 0.6; ///< wanted smallest insphere radius, in units of the regular cell's
 
     /// Whether no wall is in the way of a node of the boundary to a place; empty: none ever is.
     std::function<bool(unsigned int node, const Vec<dim> &x)> is_reachable = {};

@@ -67,8 +67,8 @@ namespace
               "");
   }
 
-  // The wall keeps a node whose wall has been bared beside it.
-  TEST(Peel, KeepsNodesOfBaredWallsOnTheWall)
+  // The wall keeps a node whose wall has been bared beside it, whoever took the cell away.
+  TEST(StarMesh, KeepsNodesOfBaredWallsOnTheWall)
   {
     Random       random(2);
     TestMesh<3>  mesh = mesh_of_cloud<3>(jittered_lattice<3>(4, 0.2, random));
@@ -79,13 +79,37 @@ namespace
       if (mesh.freedom[i] == NodeFreedom::slides_on_wall)
         {
           work.remove(*work.star(i).begin());
-          work.note_bared(i);
           const Vec<3> allowed = StarMesh<3>::Constraint(work, i).allowed_part({{0.3, 0.2, 1.}});
           EXPECT_NEAR(allowed[2], 0., 1e-14);
           EXPECT_NEAR(dot(allowed, work.area_vector(i)), 0., 1e-14);
           ++n_bared;
         }
     EXPECT_GT(n_bared, 0u);
+  }
+
+  TEST(StarMesh, KeepsNodesOfBaredEdgesWhereTheyAre)
+  {
+    Random      random(2);
+    TestMesh<3> mesh = mesh_of_cloud<3>(jittered_lattice<3>(4, 0.2, random));
+    for (unsigned int i = 0; i < mesh.position.size(); ++i)
+      if (mesh.freedom[i] == NodeFreedom::slides_on_wall)
+        {
+          mesh.freedom[i]     = NodeFreedom::slides_on_edge;
+          mesh.wall_normal[i] = {{1, 0, 0}};
+        }
+    const auto   task = mesh.task(0.9);
+    StarMesh<3>  work(mesh.mesh, mesh.position, task);
+    unsigned int n_edges = 0;
+    for (unsigned int i = 0; i < mesh.position.size(); ++i)
+      if (mesh.freedom[i] == NodeFreedom::slides_on_edge)
+        {
+          const Vec<3> along = StarMesh<3>::Constraint(work, i).allowed_part({{0.3, 0.2, 1.}});
+          EXPECT_NEAR(norm(along - Vec<3>{{0.3, 0, 0}}), 0., 1e-12);
+          work.remove(*work.star(i).begin());
+          EXPECT_EQ(norm(StarMesh<3>::Constraint(work, i).allowed_part({{0.3, 0.2, 1.}})), 0.);
+          ++n_edges;
+        }
+    EXPECT_GT(n_edges, 0u);
   }
 
   /// Smallest r before and after on a block of a jittered lattice, its floor at a wall.
