@@ -70,7 +70,7 @@ verification = Verification()
 if len(sys.argv) > 1:
     cases, settings = {2: (0.1, 0.05, 0.025), 3: (0.2, 0.1, 0.07)}, {"Output/Fields every": 0}
 else:
-    cases, settings = {2: (0.1, 0.05), 3: (0.2, 0.14)}, {"Output/Fields every": 0, "End time": 4}
+    cases, settings = {2: (0.1, 0.05), 3: (0.2, 0.1)}, {"Output/Fields every": 0, "End time": 4}
 for dimension, spacings in cases.items():
     results = [measure(dimension, spacing, settings) for spacing in spacings]
     for name, bound in {"potential energy": 0.03, "kinetic energy": 0.01, "pressure at the centre": 0.1,
