@@ -8,8 +8,10 @@ namespace Breakwater
 {
   namespace
   {
-    constexpr double small_sine = 1e-3; ///< of an angle that is none
-  }
+    /// Sines of angles that are none: between directions, and between a wall and facets of nodes that lie on it but for
+    /// a twentieth of the spacing. A node on such facets keeps the volume as exactly as the facets lie on the wall.
+    constexpr double small_sine = 1e-3, small_tilt = 0.2;
+  } // namespace
 
 
   template <int dim>
@@ -238,13 +240,17 @@ namespace Breakwater
         is_fixed_ = is_fixed_ || mesh.is_at_surface(node);
         return;
       }
+    if (freedom == NodeFreedom::slides_on_wall && !mesh.is_at_surface(node))
+      {
+        across_[0] = wall;
+        return;
+      }
     across_[0] = unit(area_, 0.);
     if (freedom == NodeFreedom::slides_on_line || freedom == NodeFreedom::slides_on_wall)
       {
-        // Where the area vector is the wall's normal, nothing tells where a line goes.
-        across_[1]         = unit(wall - across_[0] * dot(across_[0], wall), small_sine);
-        const bool has_two = norm(across_[1]) > 0;
-        is_fixed_          = freedom == NodeFreedom::slides_on_wall ? dim == 2 && has_two : dim == 2 || !has_two;
+        // Where the area vector is the wall's normal, nothing tells where the line goes.
+        across_[1] = unit(wall - across_[0] * dot(across_[0], wall), small_sine);
+        is_fixed_  = dim == 2 || !(norm(across_[1]) > 0);
       }
   }
 
@@ -256,9 +262,9 @@ namespace Breakwater
     switch (freedom(node))
       {
         case NodeFreedom::slides_on_wall:
-          return norm(area - wall * dot(area, wall)) > small_sine * norm(area);
+          return norm(area - wall * dot(area, wall)) > small_tilt * norm(area);
         case NodeFreedom::slides_on_edge:
-          return std::abs(dot(area, wall)) > small_sine * norm(area);
+          return std::abs(dot(area, wall)) > small_tilt * norm(area);
         default:
           return is_on_surface(freedom(node));
       }
