@@ -26,6 +26,16 @@ namespace Breakwater
       normal *= length > 0 ? 1. / length : 0.;
       return length > 0.1;
     }
+
+    template <int dim>
+    std::vector<char> are_on_boundary(const SimplexMesh<dim> &mesh, const std::size_t n_nodes)
+    {
+      std::vector<char> result(n_nodes, 0);
+      for (const auto &facet : mesh.boundary)
+        for (const unsigned int i : facet)
+          result[i] = 1;
+      return result;
+    }
   } // namespace
 
 
@@ -73,6 +83,7 @@ namespace Breakwater
     const auto normal_of = [this](const unsigned int n, const std::size_t i, Vec<dim> &normal) {
       return parameters_.walls.normal_at(*(nodes_.walls[i].begin() + n), nodes_.position(i), normal);
     };
+    const std::vector<char>  is_on_boundary = are_on_boundary(mesh_, nodes_.n);
     std::vector<NodeFreedom> freedom(nodes_.n, NodeFreedom::fixed);
     for (std::size_t i = 0; i < nodes_.n; ++i)
       {
@@ -81,7 +92,7 @@ namespace Breakwater
           continue;
         const bool is_surface = nodes_.is_surface[i];
         const auto n_walls    = std::distance(walls.begin(), walls.end());
-        if (n_walls == 0)
+        if (n_walls == 0 || !is_on_boundary[i]) // close to a wall that others cover
           freedom[i] = is_surface ? NodeFreedom::slides_on_surface : NodeFreedom::free;
         else if (n_walls == 1 && normal_of(0, i, wall_normal[i]))
           freedom[i] = is_surface ? NodeFreedom::slides_on_line : NodeFreedom::slides_on_wall;
@@ -102,11 +113,14 @@ namespace Breakwater
     Walls<dim> &walls = parameters_.walls;
     nodes_.density    = transfer_to_moved_nodes<dim>(nodes_, unsmoothed_mesh_.cells, position, walls,
                                                   parameters_.equation_of_state.front().reference_density());
+    const std::vector<char> was_on_boundary = are_on_boundary(unsmoothed_mesh_, nodes_.n);
     for (std::size_t i = 0; i < nodes_.n; ++i)
       {
         const Vec<dim> before = nodes_.position(i);
         if (norm(position[i] - before) > 0)
           {
+            if (!was_on_boundary[i]) // it was close to a wall at most
+              nodes_.contacts[i] = nodes_.walls[i] = {};
             for (int d = 0; d < dim; ++d)
               nodes_.xp[i][d] = position[i][d];
             Quad unused;
