@@ -54,25 +54,14 @@ namespace Breakwater
 
 
   template <int dim>
-  double InterfaceProblem<dim>::entry(const TiedPlace &a, const TiedPlace &b, const int direction,
-                                      const std::vector<const WetSurface<dim> *> &surfaces,
-                                      const std::vector<double>                  &factor) const
+  double InterfaceProblem<dim>::entry(const TiedPlace &a, const TiedPlace &b, const Compliance &compliance) const
   {
     double sum = 0;
     for (const TiedPlace::Entry &left : a.entries)
       for (const TiedPlace::Entry &right : b.entries)
         if (left.domain == right.domain && left.node == right.node)
-          sum += left.weight * right.weight * compliance(left.domain, left.node, direction, surfaces, factor);
+          sum += left.weight * right.weight * compliance(left.domain, left.node);
     return sum;
-  }
-
-
-  template <int dim>
-  double InterfaceProblem<dim>::compliance(const unsigned int domain, const unsigned int node, const int direction,
-                                           const std::vector<const WetSurface<dim> *> &surfaces,
-                                           const std::vector<double>                  &factor) const
-  {
-    return factor[domain] * surfaces[domain]->inverse_mass[node][direction];
   }
 
 
@@ -100,59 +89,55 @@ namespace Breakwater
     is_condensed_ = shared_nodes_.size() < places_.size();
     for (std::size_t r = 0; r < places_.size() && is_condensed_; ++r)
       for (int d = 0; d < dim; ++d)
-        is_condensed_ = is_condensed_ && own_compliance(r, d, surfaces, factor) > 0;
+        is_condensed_ = is_condensed_ && own_compliance(r, {surfaces, factor, d}) > 0;
     equations_.clear();
     for (int d = 0; d < (directions_differ ? dim : 1); ++d)
-      equations_.push_back(equations(d, surfaces, factor));
+      equations_.push_back(equations({surfaces, factor, d}));
   }
 
 
   template <int dim>
-  double InterfaceProblem<dim>::own_compliance(const unsigned int place, const int direction,
-                                               const std::vector<const WetSurface<dim> *> &surfaces,
-                                               const std::vector<double>                  &factor) const
+  double InterfaceProblem<dim>::own_compliance(const unsigned int place, const Compliance &compliance) const
   {
     double sum = 0;
     for (const TiedPlace::Entry &e : places_[place].entries)
       if (std::none_of(shares_[place].begin(), shares_[place].end(), [&](const Share &share) {
             return shared_nodes_[share.number].domain == e.domain && shared_nodes_[share.number].node == e.node;
           }))
-        sum += e.weight * e.weight * compliance(e.domain, e.node, direction, surfaces, factor);
+        sum += e.weight * e.weight * compliance(e.domain, e.node);
     return sum;
   }
 
 
   template <int dim>
-  typename InterfaceProblem<dim>::Equations InterfaceProblem<dim>::equations(
-    const int direction, const std::vector<const WetSurface<dim> *> &surfaces, const std::vector<double> &factor) const
+  typename InterfaceProblem<dim>::Equations InterfaceProblem<dim>::equations(const Compliance &compliance) const
   {
     Equations result;
     for (unsigned int r = 0; r < places_.size(); ++r)
       {
-        result.own_compliance.push_back(own_compliance(r, direction, surfaces, factor));
+        result.own_compliance.push_back(own_compliance(r, compliance));
         if (!is_condensed_)
-          result.is_held.push_back(entry(places_[r], places_[r], direction, surfaces, factor) == 0);
+          result.is_held.push_back(entry(places_[r], places_[r], compliance) == 0);
       }
     if (is_condensed_)
       for (const SharedNode &node : shared_nodes_)
-        result.is_held.push_back(compliance(node.domain, node.node, direction, surfaces, factor) == 0);
-    const Rows rows = is_condensed_ ? rows_of_shared_nodes(result.own_compliance, direction, surfaces, factor) :
-                                      rows_of_places(direction, surfaces, factor);
-    result.solver   = std::make_unique<SparseSolver>(rows, rows.size() <= direct_up_to_);
+        result.is_held.push_back(compliance(node.domain, node.node) == 0);
+    const Rows rows =
+      is_condensed_ ? rows_of_shared_nodes(result.own_compliance, compliance) : rows_of_places(compliance);
+    result.solver = std::make_unique<SparseSolver>(rows, rows.size() <= direct_up_to_);
     return result;
   }
 
 
   // H
   template <int dim>
-  typename InterfaceProblem<dim>::Rows InterfaceProblem<dim>::rows_of_places(
-    const int direction, const std::vector<const WetSurface<dim> *> &surfaces, const std::vector<double> &factor) const
+  typename InterfaceProblem<dim>::Rows InterfaceProblem<dim>::rows_of_places(const Compliance &compliance) const
   {
     Rows rows(places_.size());
     for (std::size_t r = 0; r < places_.size(); ++r)
       for (const unsigned int s : neighbours_[r])
         {
-          const double value = entry(places_[r], places_[s], direction, surfaces, factor);
+          const double value = entry(places_[r], places_[s], compliance);
           rows[r].push_back({s, s == r && value == 0 ? 1. : value}); // all is held: lambda = 0
         }
     return rows;
@@ -162,13 +147,12 @@ namespace Breakwater
   // A^-1 + W^T D^-1 W. A held node has y = 0.
   template <int dim>
   typename InterfaceProblem<dim>::Rows InterfaceProblem<dim>::rows_of_shared_nodes(
-    const std::vector<double> &own_compliance, const int direction,
-    const std::vector<const WetSurface<dim> *> &surfaces, const std::vector<double> &factor) const
+    const std::vector<double> &own_compliance, const Compliance &compliance) const
   {
     Rows                rows(shared_nodes_.size());
     std::vector<double> c;
     for (const SharedNode &node : shared_nodes_)
-      c.push_back(compliance(node.domain, node.node, direction, surfaces, factor));
+      c.push_back(compliance(node.domain, node.node));
     for (unsigned int k = 0; k < rows.size(); ++k)
       for (const unsigned int l : shared_nodes_[k].neighbours)
         rows[k].push_back({l, k != l ? 0. : c[k] > 0 ? 1 / c[k] : 1.});
@@ -229,7 +213,7 @@ namespace Breakwater
         for (std::size_t r = 0; r < places_.size(); ++r)
           for (int d = 0; d < dim; ++d)
             {
-              const double h = entry(places_[r], places_[r], d, surfaces, factor);
+              const double h = entry(places_[r], places_[r], {surfaces, factor, d});
               lambda[r][d]   = h > 0 ? g[r][d] / h : 0.;
             }
         return lambda;

@@ -73,20 +73,25 @@ namespace Breakwater
     };
     using Rows = std::vector<SparseSolver::Row>;
 
-    double    entry(const TiedPlace &a, const TiedPlace &b, int direction,
-                    const std::vector<const WetSurface<dim> *> &surfaces, const std::vector<double> &factor) const;
-    double    compliance(unsigned int domain, unsigned int node, int direction,
-                         const std::vector<const WetSurface<dim> *> &surfaces, const std::vector<double> &factor) const;
-    double    own_compliance(unsigned int place, int direction, const std::vector<const WetSurface<dim> *> &surfaces,
-                             const std::vector<double> &factor) const;
+    /// c / m of the nodes, in one direction.
+    struct Compliance
+    {
+      const std::vector<const WetSurface<dim> *> &surfaces;
+      const std::vector<double>                  &factor;
+      int                                         direction;
+
+      double operator()(const unsigned int domain, const unsigned int node) const
+      {
+        return factor[domain] * surfaces[domain]->inverse_mass[node][direction];
+      }
+    };
+
+    double    entry(const TiedPlace &a, const TiedPlace &b, const Compliance &compliance) const;
+    double    own_compliance(unsigned int place, const Compliance &compliance) const;
     void      update(const std::vector<const WetSurface<dim> *> &surfaces, const std::vector<double> &factor);
-    Equations equations(int direction, const std::vector<const WetSurface<dim> *> &surfaces,
-                        const std::vector<double> &factor) const;
-    Rows      rows_of_places(int direction, const std::vector<const WetSurface<dim> *> &surfaces,
-                             const std::vector<double> &factor) const;
-    Rows      rows_of_shared_nodes(const std::vector<double> &own_compliance, int direction,
-                                   const std::vector<const WetSurface<dim> *> &surfaces,
-                                   const std::vector<double>                  &factor) const;
+    Equations equations(const Compliance &compliance) const;
+    Rows      rows_of_places(const Compliance &compliance) const;
+    Rows      rows_of_shared_nodes(const std::vector<double> &own_compliance, const Compliance &compliance) const;
     std::vector<double> solve_for_places(const Equations &equations, std::vector<double> g);
     std::vector<double> solve_for_shared_nodes(const Equations &equations, std::vector<double> g);
 

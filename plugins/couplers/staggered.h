@@ -11,7 +11,8 @@ namespace Breakwater
   /// The follower (the one that adopted the other's surface, otherwise the first one of the tie) moves with the velocity
   /// that the leader's last acceleration predicts; then the leader takes the follower's force, with the inertia of the
   /// follower's tied mass by the last acceleration: where that mass is larger than the leader's own, the scheme is
-  /// unstable at any step. It is here as what the multiplier is compared with. Only the follower may have fine steps: the entry "Coarse domain" has no effect.
+  /// unstable at any step. It is here as what the multiplier is compared with. Only the follower may have fine steps:
+  /// the entry "Coarse domain" has no effect.
   template <int dim>
   class Staggered : public TiedCoupler<dim>
   {

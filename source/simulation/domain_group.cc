@@ -53,10 +53,10 @@ namespace Breakwater
 
 
   template <int dim>
-  DomainGroup<dim>::DomainGroup(std::vector<Member> members, std::vector<Joint> joints, std::string ties)
+  DomainGroup<dim>::DomainGroup(std::vector<Member> members, std::vector<Joint> joints, std::string ties_place)
     : members_(std::move(members))
     , joints_(std::move(joints))
-    , ties_(std::move(ties))
+    , ties_place_(std::move(ties_place))
   {
   }
 
@@ -100,9 +100,9 @@ namespace Breakwater
           });
           const auto pairs      = joint_nodes(surface_of(a).position, surface_of(b).position);
           if (are_joined && pairs.empty())
-            fail_without_common_node(ties_, members_[a].name, members_[b].name);
+            fail_without_common_node(ties_place_, members_[a].name, members_[b].name);
           if (!are_joined && !pairs.empty() && members_[a].is_exposed && members_[b].is_exposed)
-            throw InputError(ties_ + ": \"" + members_[a].name + "\" and \"" + members_[b].name + "\" touch at " +
+            throw InputError(ties_place_ + ": \"" + members_[a].name + "\" and \"" + members_[b].name + "\" touch at " +
                              std::to_string(pairs.size()) + " nodes but are not tied to each other; add \"" +
                              members_[a].name + " and " + members_[b].name +
                              "\", or leave a gap of more than the fluid's spacing");
@@ -136,7 +136,8 @@ namespace Breakwater
           const Slot    &first = nodes_[n].front();
           const Vec<dim> gap   = surface_of(slot).velocity[slot.node] - surface_of(first).velocity[first.node];
           if (norm(gap) > 1e-12 * speed)
-            throw InputError(ties_ + ": \"" + members_[first.member].name + "\" and \"" + members_[slot.member].name +
+            throw InputError(ties_place_ + ": \"" + members_[first.member].name + "\" and \"" +
+                             members_[slot.member].name +
                              "\" are tied to each other, but at time 0 they move apart by " +
                              std::to_string(norm(gap)) + " m/s; give them one initial velocity where they touch");
         }
@@ -188,8 +189,7 @@ namespace Breakwater
               }
             surface_.facets.push_back(facet);
           }
-    update_surface();
-    ++surface_.revision;
+    start_surface();
   }
 
 
@@ -201,6 +201,21 @@ namespace Breakwater
       exposed.push_back(exposed_[n]);
     exposed_ = exposed;
     surface_.facets.clear();
+    start_surface();
+  }
+
+
+  template <int dim>
+  void DomainGroup<dim>::start_surface()
+  {
+    for (auto *field : {&surface_.position, &surface_.velocity, &surface_.acceleration, &surface_.inverse_mass})
+      field->resize(exposed_.size());
+    surface_.is_middle.clear();
+    for (const unsigned int n : exposed_)
+      surface_.is_middle.push_back(std::all_of(nodes_[n].begin(), nodes_[n].end(), [this](const Slot &slot) {
+        const std::vector<char> &is_middle = surface_of(slot).is_middle;
+        return !is_middle.empty() && is_middle[slot.node];
+      }));
     update_surface();
     ++surface_.revision;
   }
@@ -209,10 +224,7 @@ namespace Breakwater
   template <int dim>
   void DomainGroup<dim>::update_surface()
   {
-    for (auto *field : {&surface_.position, &surface_.velocity, &surface_.acceleration, &surface_.inverse_mass})
-      field->resize(exposed_.size());
     surface_.mass.assign(exposed_.size(), 0.);
-    surface_.is_middle.assign(exposed_.size(), 1);
     for (std::size_t w = 0; w < exposed_.size(); ++w)
       {
         const Node            &node  = nodes_[exposed_[w]];
@@ -222,11 +234,7 @@ namespace Breakwater
         surface_.acceleration[w]     = first.acceleration[node[0].node];
         surface_.inverse_mass[w]     = first.inverse_mass[node[0].node];
         for (const Slot &slot : node)
-          {
-            const std::vector<char> &is_middle = surface_of(slot).is_middle;
-            surface_.mass[w] += surface_of(slot).mass[slot.node];
-            surface_.is_middle[w] = surface_.is_middle[w] && !is_middle.empty() && is_middle[slot.node];
-          }
+          surface_.mass[w] += surface_of(slot).mass[slot.node];
         for (std::size_t s = 1; s < node.size(); ++s)
           for (int d = 0; d < dim; ++d)
             {

@@ -85,9 +85,9 @@ namespace Breakwater
   }
 
 
-  void fail_without_common_node(const std::string &ties, const std::string &first, const std::string &second)
+  void fail_without_common_node(const std::string &ties_place, const std::string &first, const std::string &second)
   {
-    throw InputError(ties + ": \"" + first + "\" and \"" + second +
+    throw InputError(ties_place + ": \"" + first + "\" and \"" + second +
                      "\" are tied to each other, but their wet boundaries have no node in common; let them touch with "
                      "equal cells there: the boundaries must be wet in both, and not clamped in both");
   }

@@ -430,11 +430,10 @@ namespace Breakwater
     if (mesh_.degree == 2)
       {
         // Nodes of a cell stand in order, direction by direction: its corners are those with even numbers in each.
-        std::vector<char>  is_middle(mesh_.nodes.size(), 1);
-        const unsigned int n_cell_nodes = dim == 2 ? 9 : 27;
+        std::vector<char> is_middle(mesh_.nodes.size(), 1);
         for (std::size_t k = 0; k < mesh_.cell_nodes.size(); ++k)
           {
-            const unsigned int a = k % n_cell_nodes;
+            const unsigned int a = k % mesh_.nodes_per_cell();
             if (a % 3 != 1 && a / 3 % 3 != 1 && a / 9 != 1)
               is_middle[mesh_.cell_nodes[k]] = 0;
           }

@@ -29,8 +29,8 @@ namespace Breakwater
     };
     using Joint = std::pair<unsigned int, unsigned int>; ///< numbers of two members
 
-    /// @param ties where the scene says what is joined, for messages about that
-    DomainGroup(std::vector<Member> members, std::vector<Joint> joints, std::string ties);
+    /// @param ties_place where the scene says what is joined, for messages about that
+    DomainGroup(std::vector<Member> members, std::vector<Joint> joints, std::string ties_place);
 
     /// Sets up the members, each with its own name, and joins them.
     /// @throws InputError if two members that are to be joined have no node in common or move apart at time 0, or if
@@ -75,6 +75,7 @@ namespace Breakwater
     void share_stops();
     void check_joint_velocities() const;
     void make_surface();
+    void start_surface();
     void update_surface();
     void balance_joints(double time_step);
     void clear_forces();
@@ -88,7 +89,7 @@ namespace Breakwater
 
     std::vector<Member>                members_;
     std::vector<Joint>                 joints_;
-    std::string                        ties_;
+    std::string                        ties_place_; ///< in the scene's file
     RunContext                        *context_ = nullptr;
     std::vector<Node>                  nodes_;        ///< of all members
     std::vector<std::vector<unsigned>> node_of_slot_; ///< [member][node of its wet surface]

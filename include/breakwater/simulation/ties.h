@@ -20,9 +20,9 @@ namespace Breakwater
   std::vector<TiedNames> find_ties(const std::vector<std::string> &texts, bool has_fluid,
                                    const std::vector<std::string> &structures);
 
-  /// Stops because two tied bodies share no node. @param ties where the scene says that they are tied
+  /// Stops because two tied bodies share no node. @param ties_place where the scene says that they are tied
   /// @throws InputError
-  [[noreturn]] void fail_without_common_node(const std::string &ties, const std::string &first,
+  [[noreturn]] void fail_without_common_node(const std::string &ties_place, const std::string &first,
                                              const std::string &second);
 
   /// The fluid's name in ties and output.
