@@ -9,15 +9,6 @@
 
 namespace Breakwater
 {
-  /// The volume between a facet and the wall, not positive, and its derivatives by the places of the facet's nodes.
-  template <int dim>
-  struct PfemFluid<dim>::Cap
-  {
-    double                    volume = 0; ///< [m^dim]
-    std::array<Vec<dim>, dim> gradient;   ///< [m^(dim - 1)]
-  };
-
-
   template <int dim>
   void PfemFluid<dim>::collect_curved_facets()
   {
@@ -35,7 +26,7 @@ namespace Breakwater
   }
 
 
-  // The distance d to the wall is 0 at the nodes and quadratic in between: its mean is 2/3 of that in the middle of a
+  // Not positive. The distance d to the wall is 0 at the nodes and quadratic in between: its mean is 2/3 of that in the middle of a
   // chord, and the mean of those in the middle of a triangle's sides. volume = area * mean d.
   template <int dim>
   typename PfemFluid<dim>::Cap PfemFluid<dim>::cap_of(const CurvedFacet &facet) const
@@ -88,6 +79,7 @@ namespace Breakwater
         for (const unsigned int i : facet.nodes)
           nodes_.volume[i] += share;
       }
+    add_wedges();
   }
 
 

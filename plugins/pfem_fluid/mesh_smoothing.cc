@@ -129,6 +129,7 @@ namespace Breakwater
       }
     nodes_.position_at_remesh = nodes_.xp;
     collect_curved_facets();
+    collect_rim_facets();
   }
 
 

@@ -192,7 +192,7 @@ namespace Breakwater
       }
     parameters_.walls.begin_forces();
     add_cap_forces();
-    give_rim_forces_to_walls();
+    add_wedge_forces();
     if (slip_.is_on())
       slip_.take_forces_along(nodes_, body_acceleration_);
   }

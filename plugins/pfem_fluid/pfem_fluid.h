@@ -110,7 +110,12 @@ namespace Breakwater
       typename SimplexMesh<dim>::Facet nodes;
       Contacts                         faces; ///< of walls that all its nodes lie on
     };
-    struct Cap;
+    /// A volume between a facet and the wall, and its derivatives by the places of the facet's nodes.
+    struct Cap
+    {
+      double                    volume = 0; ///< [m^dim]
+      std::array<Vec<dim>, dim> gradient;   ///< [m^(dim - 1)]
+    };
     void collect_curved_facets();
     void update_volumes();
     void add_cap_forces();
@@ -126,7 +131,10 @@ namespace Breakwater
       Contacts                         faces;    ///< of walls that all its nodes lie on
     };
     void collect_rim_facets();
-    void give_rim_forces_to_walls();
+    void add_wedges();
+    void add_wedge_forces();
+
+    Cap wedge_of(const RimFacet &facet) const;
 
     // remeshing.cc
     void                  remesh();

@@ -180,6 +180,7 @@ namespace Breakwater
     nodes_.position_at_remesh      = nodes_.xp;
     parameters_.walls.note_remesh();
     collect_curved_facets();
+    collect_rim_facets();
     return report;
   }
 
@@ -342,7 +343,6 @@ namespace Breakwater
   template <int dim>
   void PfemFluid<dim>::set_references(const NodePairs<dim> &pairs)
   {
-    collect_rim_facets();
     collect_interface_cells();
     const EquationOfState &state = parameters_.equation_of_state.front();
     std::vector<double>    inertia(nodes_.n);

@@ -96,22 +96,35 @@ namespace Breakwater
 
 
   template <int dim>
+  bool Walls<dim>::distance_to(const Contacts::Face f, const Vec<dim> &x, const double reach, double &distance,
+                               Vec<dim> &normal) const
+  {
+    const Face &face = faces_[f];
+    if (face.surface < 0)
+      {
+        distance = distance_now(face, x);
+        return normal_at(face, x, normal);
+      }
+    const Pose<dim>                &pose = walls_[face.wall].state.now;
+    const Vec<dim>                  x0   = pose.to_body(x);
+    typename WallSurface<dim>::Foot foot;
+    if (!surfaces_[face.surface].shape.nearest(x0, reach, face.patch, foot))
+      return false;
+    distance = dot(foot.normal, x0 - foot.place);
+    normal   = pose.rotated(foot.normal);
+    return true;
+  }
+
+
+  template <int dim>
   bool Walls<dim>::distance_to_curved(const Contacts &faces, const Vec<dim> &x, const double reach, double &distance,
                                       Vec<dim> &normal) const
   {
     for (const Contacts::Face f : faces)
       {
         const Face &face = faces_[f];
-        if (face.surface < 0 || surfaces_[face.surface].shape.is_flat(face.patch))
-          continue;
-        const Pose<dim>                &pose = walls_[face.wall].state.now;
-        const Vec<dim>                  x0   = pose.to_body(x);
-        typename WallSurface<dim>::Foot foot;
-        if (!surfaces_[face.surface].shape.nearest(x0, reach, face.patch, foot))
-          return false;
-        distance = dot(foot.normal, x0 - foot.place);
-        normal   = pose.rotated(foot.normal);
-        return true;
+        if (face.surface >= 0 && !surfaces_[face.surface].shape.is_flat(face.patch))
+          return distance_to(f, x, reach, distance, normal);
       }
     return false;
   }
@@ -141,6 +154,7 @@ namespace Breakwater
   template bool     Walls<dim>::separate(const Simplex<dim> &) const;                                                  \
   template bool     Walls<dim>::flatten(const Contacts &, const Simplex<dim> &) const;                                 \
   template bool     Walls<dim>::close(const Contacts &, const std::array<Vec<dim>, dim> &) const;                      \
+  template bool     Walls<dim>::distance_to(Contacts::Face, const Vec<dim> &, double, double &, Vec<dim> &) const;     \
   template bool     Walls<dim>::distance_to_curved(const Contacts &, const Vec<dim> &, double, double &, Vec<dim> &)   \
     const;                                                                                                             \
   template bool   Walls<dim>::is_curved(const Contacts &) const;                                                       \

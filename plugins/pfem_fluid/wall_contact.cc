@@ -126,7 +126,7 @@ namespace Breakwater
   template <int dim>
   double Walls<dim>::distance_now(const Face &plane, const Vec<dim> &x) const
   {
-    return plane.direction >= 0 ? x[plane.direction] - plane.place :
+    return plane.direction >= 0 ? plane.sign * (x[plane.direction] - plane.place) :
                                   plane_distance(plane, walls_[plane.wall].state.now.to_body(x));
   }
 

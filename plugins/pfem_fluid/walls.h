@@ -101,6 +101,9 @@ namespace Breakwater
     bool flatten(const Contacts &shared, const Simplex<dim> &cell) const;
     /// True if a facet whose nodes all lie on these faces lies on the wall.
     bool close(const Contacts &shared, const std::array<Vec<dim>, dim> &facet) const;
+    /// Distance of x to a face, positive in the fluid, and the normal there.
+    /// @return false if the face is bent and farther away than `reach` [m]
+    bool distance_to(Contacts::Face face, const Vec<dim> &x, double reach, double &distance, Vec<dim> &normal) const;
     /// Distance of x to the first of the faces that is bent, positive in the fluid, and the normal there.
     /// @return false if none is, or it is farther away than `reach` [m]
     bool distance_to_curved(const Contacts &faces, const Vec<dim> &x, double reach, double &distance,
