@@ -42,11 +42,46 @@ namespace Breakwater
       for (const auto &cell : cells)
         sorted[start[highest(cell)]++] = cell;
       // Now start[i] is the end of the cells of node i, which are few.
+      const auto is_lower = [](const typename SimplexMesh<dim>::Cell &one, const typename SimplexMesh<dim>::Cell &two) {
+        return one[0] != two[0] ? one[0] < two[0] : one < two;
+      };
       for (std::size_t i = 0; i < n_nodes; ++i)
-        for (unsigned int begin = i == 0 ? 0 : start[i - 1], c = begin; c < start[i]; ++c)
-          for (unsigned int k = c; k > begin && sorted[k] < sorted[k - 1]; --k)
-            std::swap(sorted[k], sorted[k - 1]);
+        for (unsigned int begin = i == 0 ? 0 : start[i - 1], c = begin + 1; c < start[i]; ++c)
+          {
+            const typename SimplexMesh<dim>::Cell cell = sorted[c];
+            unsigned int                          k    = c;
+            for (; k > begin && is_lower(cell, sorted[k - 1]); --k)
+              sorted[k] = sorted[k - 1];
+            sorted[k] = cell;
+          }
       cells.swap(sorted);
+    }
+
+    /// Whether the circumradius of a cell is smaller than a length, without roots and divisions. False can also mean
+    /// that round-off matters.
+    template <int dim>
+    bool has_surely_smaller_circumradius(const Simplex<dim> &x, const double length)
+    {
+      // With the edges e_a from the first corner and D their determinant, R = |n| / (2 D) in 3D (see circumradius());
+      // in 2D the product of all three edges over 2 D.
+      double determinant, square_of_n, product = 1; // of the squares of the edges from the first corner
+      if constexpr (dim == 2)
+        {
+          const Vec<2> e = x[1] - x[0], f = x[2] - x[0];
+          determinant = e[0] * f[1] - e[1] * f[0];
+          product     = dot(e, e) * dot(f, f);
+          square_of_n = product * dot(f - e, f - e);
+        }
+      else
+        {
+          const Vec<3> e = x[1] - x[0], f = x[2] - x[0], g = x[3] - x[0], fg = cross(f, g);
+          const Vec<3> n = fg * dot(e, e) + cross(g, e) * dot(f, f) + cross(e, f) * dot(g, g);
+          determinant    = dot(e, fg);
+          product        = dot(e, e) * dot(f, f) * dot(g, g);
+          square_of_n    = dot(n, n);
+        }
+      const double square = determinant * determinant;
+      return square > 1e-10 * product && square_of_n < (1 - 1e-9) * 4 * square * length * length;
     }
   } // namespace
 
@@ -71,10 +106,16 @@ namespace Breakwater
         const bool is_even = sort_evenly(cell);
         if (cell[dim] >= triangulation.n_nodes())
           continue;
-        const double radius = circumradius(corners<dim>(position, cell));
+        const Simplex<dim> x        = corners<dim>(position, cell);
+        bool               is_small = has_surely_smaller_circumradius<dim>(x, largest_circumradius);
         if (!is_even)
           std::swap(cell[dim - 1], cell[dim]);
-        if ((radius <= largest_circumradius || (is_small_anyway && is_small_anyway(cell, radius))) && keep(cell))
+        if (!is_small)
+          {
+            const double radius = circumradius(x);
+            is_small            = radius <= largest_circumradius || (is_small_anyway && is_small_anyway(cell, radius));
+          }
+        if (is_small && keep(cell))
           {
             is_fluid[c] = 1;
             mesh.cells.push_back(cell);

@@ -170,25 +170,36 @@ namespace Breakwater
   template <int dim>
   std::vector<unsigned int> DelaunayMesh<dim>::find_bad_facets()
   {
-    std::vector<unsigned int> inverted;
-    for (unsigned int c = 0; c < cells_.size(); ++c)
+    std::vector<unsigned int>      inverted;
+    std::vector<Circumsphere<dim>> spheres; // of a block of cells
+    constexpr unsigned int         block_size = 64;
+    Facet                          facets[block_size * (dim + 1)]; // of the block, each to be seen from one side
+    for (unsigned int begin = 0; begin < cells_.size(); begin += block_size)
       {
-        if (is_unused(c))
-          continue;
-        const Cell             &cell = cells_[c];
-        const Circumsphere<dim> sphere(corners_of(cell.node));
-        if (sphere.orientation() <= 0)
+        const unsigned int end      = std::min<std::size_t>(begin + block_size, cells_.size());
+        unsigned int       n_facets = 0;
+        spheres.clear();
+        for (unsigned int c = begin; c < end; ++c)
           {
-            inverted.push_back(c);
-            continue;
+            const Cell &cell = cells_[c];
+            spheres.emplace_back(corners_of(cell.node));
+            if (!spheres.back().is_surely_positive() && (is_unused(c) || spheres.back().orientation() <= 0))
+              {
+                if (!is_unused(c))
+                  inverted.push_back(c);
+                continue;
+              }
+            // Between positive cells, one side's sphere tells. Without branches, which would be guessed wrongly.
+            for (unsigned int a = 0; a <= dim; ++a)
+              {
+                facets[n_facets] = {c, a};
+                n_facets += cell.neighbor[a] > c && cell.neighbor[a] != no_cell;
+              }
           }
-        for (unsigned int a = 0; a <= dim; ++a)
-          {
-            // Between positive cells, one side's sphere tells.
-            const unsigned int neighbor = cell.neighbor[a];
-            if (neighbor != no_cell && neighbor > c && !sphere.is_surely_outside(position_[node_across(cell, a)]))
-              to_check_.push_back({c, a});
-          }
+        for (unsigned int k = 0; k < n_facets; ++k)
+          if (!spheres[facets[k].cell - begin].is_surely_outside(
+                position_[node_across(cells_[facets[k].cell], facets[k].opposite)]))
+            to_check_.push_back(facets[k]);
       }
     return inverted;
   }
@@ -206,10 +217,10 @@ namespace Breakwater
 
 
   template <int dim>
-  Simplex<dim> DelaunayMesh<dim>::corners_of(const std::array<unsigned int, dim + 1> &node,
-                                             const std::vector<Vec<dim>>             &position) const
+  Simplex<dim> DelaunayMesh<dim>::corners_from_near(const std::array<unsigned int, dim + 1> &node,
+                                                    const std::vector<Vec<dim>>             &position) const
   {
-    // An even permutation with a near node first: differences to a far one would lose the others' places.
+    // An even permutation with a near node first.
     unsigned int first = 0;
     while (first < dim && node[first] >= n_nodes_)
       ++first;

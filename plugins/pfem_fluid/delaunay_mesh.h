@@ -86,7 +86,13 @@ namespace Breakwater
     bool                      move_to(const std::vector<Vec<dim>> &position);
     std::vector<unsigned int> find_bad_facets(); ///< @return inverted cells
     Simplex<dim> corners_of(const std::array<unsigned int, dim + 1> &node) const { return corners_of(node, position_); }
-    Simplex<dim> corners_of(const std::array<unsigned int, dim + 1> &node, const std::vector<Vec<dim>> &position) const;
+    Simplex<dim> corners_of(const std::array<unsigned int, dim + 1> &node, const std::vector<Vec<dim>> &position) const
+    {
+      // Differences to a far node would lose the others' places.
+      return node[0] < n_nodes_ ? corners<dim>(position, node) : corners_from_near(node, position);
+    }
+    Simplex<dim> corners_from_near(const std::array<unsigned int, dim + 1> &node,
+                                   const std::vector<Vec<dim>>             &position) const;
     bool         has_cells(const unsigned int node) const { return cell_of_[node] != no_cell; }
     bool         is_unused(const unsigned int cell) const { return cells_[cell].node[0] == cells_[cell].node[1]; }
     unsigned int new_cell(const std::array<unsigned int, dim + 1> &node);

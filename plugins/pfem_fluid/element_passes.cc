@@ -3,8 +3,8 @@
 // The element passes, compiled once per instruction set with BREAKWATER_INSTRUCTION_SET as the namespace.
 //
 // Here a node is one vector of four doubles, so that a cell costs dim + 1 vector loads and stores and the arithmetic
-// runs along x, y, z: the faster way for loops with little arithmetic. The others stand in stress_passes.cc and
-// filter_pass.cc. No header with inline functions of general use may stand in these files: the linker could pick a copy
+// runs along x, y, z: the faster way for loops with little arithmetic. The others stand in stress_passes.cc,
+// filter_pass.cc and mesh_passes.cc. No header with inline functions of general use may stand in these files: the linker could pick a copy
 // of them that was compiled for an instruction set which the machine does not have.
 
 namespace Breakwater
@@ -179,7 +179,9 @@ namespace Breakwater
                                 const Quad *x, const char *active, const unsigned int first, unsigned int *place_of,
                                 unsigned int *around, Quad *sum, Quad *own)
       {
-        constexpr std::size_t ahead    = 24; // corners, about those of one node
+        constexpr std::size_t ahead = 24; // corners, about those of one node
+        constexpr double      half = 0.5 / (dim + 1), share[] = {half, half, half / 2, half / 3, half / 4};
+        constexpr double      sign[]   = {-1., 1., -1., 1.};
         unsigned int          n_around = 0;
         V4                    total    = all(0.);
         for (std::size_t k = 0; k < n_corners; ++k)
@@ -194,23 +196,23 @@ namespace Breakwater
             if constexpr (dim == 2)
               A = V4{-0.5 * e1[1], 0.5 * e1[0], 0., 0.};
             else // inwards, if the order of the facet's corners is made that of the cell
-              A = cross(e1, load(x[facet[2]]) - x0) * all(a % 2 == 0 ? -1. / 6. : 1. / 6.);
+              A = cross(e1, load(x[facet[2]]) - x0) * all(sign[a] / 6.);
             int n_active = active[cell[a]];
             for (const unsigned int i : facet)
               n_active += active[i];
             const double volume = dot3(A, load(x[cell[a]]) - x0);
-            A[3]                = (volume < 0 ? -volume : volume) * (0.5 / (dim + 1)) / (n_active > 0 ? n_active : 1);
+            A[3]                = (volume < 0 ? -volume : volume) * share[n_active];
             for (const unsigned int i : facet)
               {
-                const unsigned int place = place_of[i];
-                if (place > first)
-                  store(sum[place - first - 1], load(sum[place - first - 1]) + A);
-                else
-                  {
-                    around[n_around] = i;
-                    store(sum[n_around], A);
-                    place_of[i] = first + ++n_around;
-                  }
+                // Without branches, which would be guessed wrongly.
+                const bool         is_new = place_of[i] <= first;
+                const unsigned int place  = is_new ? n_around : place_of[i] - first - 1;
+                const long         known  = is_new ? 0 : -1;
+                const I4           so_far = reinterpret_cast<I4>(load(sum[place])) & I4{known, known, known, known};
+                around[place]             = i;
+                store(sum[place], reinterpret_cast<V4>(so_far) + A);
+                place_of[i] = first + 1 + place;
+                n_around += is_new;
               }
             total += A;
           }
@@ -251,6 +253,7 @@ namespace Breakwater
       ElementPasses passes;
       set_stress_passes<dim>(passes);
       set_filter_pass<dim>(passes);
+      set_mesh_passes<dim>(passes);
       passes.volumes                       = volumes<dim>;
       passes.velocity_gradients            = velocity_gradients<dim>;
       passes.exchange_requests             = exchange_requests<dim>;

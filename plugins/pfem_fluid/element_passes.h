@@ -34,8 +34,8 @@ namespace Breakwater
     double divergence = 0; ///< of what deviates from the mean divergence around [-]
   };
 
-  /// The loops over cells, compiled once per instruction set (element_passes.cc, stress_passes.cc, filter_pass.cc).
-  /// Cells are arrays [cell][dim + 1].
+  /// The loops over cells, compiled once per instruction set (element_passes.cc, stress_passes.cc, filter_pass.cc,
+  /// mesh_passes.cc). Cells are arrays [cell][dim + 1].
   struct ElementPasses
   {
     void (*volumes)(const unsigned int *cells, std::size_t n_cells, const Quad *xp, double *volume);
@@ -74,6 +74,15 @@ namespace Breakwater
     unsigned int (*pairs_around)(const unsigned int *cells, const unsigned int *corners, std::size_t n_corners,
                                  const Quad *x, const char *active, unsigned int first, unsigned int *place_of,
                                  unsigned int *around, Quad *sum, Quad *own);
+    /// Adds to `change` the first-order changes of the nodes' volumes by displacements u [m]:
+    /// sum over cells of sum_a A_a . u_a / (dim + 1) [m^dim].
+    void (*volume_changes)(const unsigned int *cells, std::size_t n_cells, const Quad *xp, const Quad *u,
+                           double *change);
+    /// Insphere radii of the cells [m], signed as their volumes.
+    void (*insphere_radii)(const unsigned int *cells, std::size_t n_cells, const Quad *xp, double *radius);
+    /// Squares of the lengths of each cell's shortest and longest edge [m^2].
+    void (*edge_squares)(const unsigned int *cells, std::size_t n_cells, const Quad *xp, double *shortest,
+                         double *longest);
     double (*largest_relative_displacement)(const unsigned int *cells, std::size_t n_cells, const Quad *x,
                                             const Quad *x0);
   };

@@ -57,9 +57,8 @@ namespace Breakwater
     , adopted_(adopted)
     , former_(former)
     , is_inside_(is_inside)
-    , is_held_(nodes.n)
+    , kind_(nodes.n)
     , near_surface_(nodes.n, 0)
-    , is_delicate_(nodes.n)
     , near_walls_(nodes.n)
   {
     const bool any_has_surface = parameters.walls.any_has_surface();
@@ -71,8 +70,10 @@ namespace Breakwater
         // An edge of a cell, at most twice this length, passes through surfaces close to one of its ends only.
         const double reach = std::max(parameters.alpha, parameters.alpha_of_fluid) * size;
         near_surface_[i]   = any_has_surface && !parameters.walls.are_far(x, reach);
-        is_held_[i]        = !nodes.walls[i].empty() || is_interface(i);
-        is_delicate_[i]    = near_surface_[i] || is_interface(i) || is_inside;
+        if (!nodes.walls[i].empty() || is_interface(i))
+          kind_[i] |= held;
+        if (!near_surface_[i] && !is_interface(i) && !is_inside)
+          kind_[i] |= plain;
       }
   }
 
@@ -80,13 +81,10 @@ namespace Breakwater
   template <int dim>
   bool FluidCells<dim>::keeps(const Cell &cell) const
   {
-    char are_held = 1, is_any_delicate = 0;
+    unsigned char all = held | plain; // what all nodes are
     for (const unsigned int i : cell)
-      {
-        are_held &= is_held_[i];
-        is_any_delicate |= is_delicate_[i];
-      }
-    return (!are_held && !is_any_delicate) || keeps_at_boundary(cell);
+      all &= kind_[i];
+    return all == plain || keeps_at_boundary(cell);
   }
 
 
@@ -96,7 +94,7 @@ namespace Breakwater
     bool are_held = true, is_near_surface = false, has_interface = false, is_all_interface = true;
     for (const unsigned int i : cell)
       {
-        are_held         = are_held && is_held_[i];
+        are_held         = are_held && (kind_[i] & held);
         is_near_surface  = is_near_surface || near_surface_[i];
         has_interface    = has_interface || is_interface(i);
         is_all_interface = is_all_interface && is_interface(i);

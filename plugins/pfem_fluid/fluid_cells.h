@@ -40,9 +40,10 @@ namespace Breakwater
     const AdoptedSurface<dim>               &adopted_;
     const FormerFluid<dim>                  &former_;
     const std::function<bool(const Cell &)> &is_inside_;
-    std::vector<char>                        is_held_;      ///< by a wall or the interface
+    static constexpr unsigned char           held  = 1;     ///< by a wall or the interface
+    static constexpr unsigned char           plain = 2;     ///< cells around need no closer look, unless all are held
+    std::vector<unsigned char>               kind_;         ///< of the nodes: held, plain
     std::vector<char>                        near_surface_; ///< of a wall that is not a plane
-    std::vector<char>                        is_delicate_;  ///< cells around need a closer look
     std::vector<Contacts>                    near_walls_;
   };
 } // namespace Breakwater

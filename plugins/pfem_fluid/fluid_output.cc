@@ -215,8 +215,8 @@ namespace Breakwater
     visit(n_pushed_out_);
     parameters_.walls.load(stream);
     collect_curved_facets();
-    collect_rim_facets();
     collect_interface_cells();
+    collect_rim_facets();
     if (!body_force_is_uniform_)
       update_body_acceleration();
     refresh_surface();

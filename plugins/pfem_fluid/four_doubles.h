@@ -12,6 +12,8 @@ namespace Breakwater
     void set_stress_passes(ElementPasses &passes);
     template <int dim>
     void set_filter_pass(ElementPasses &passes);
+    template <int dim>
+    void set_mesh_passes(ElementPasses &passes);
 
     namespace
     {

@@ -43,7 +43,7 @@ namespace Breakwater
   void PfemFluid<dim>::smooth_mesh(RemeshRecord &record)
   {
     std::vector<Vec<dim>> position = nodes_.positions();
-    record.quality_before = record.quality_after = mesh_quality<dim>(mesh_, position, parameters_.spacing);
+    record.quality_before = record.quality_after = quality();
     if (parameters_.mesh_smoothers.empty())
       return;
 
@@ -71,7 +71,17 @@ namespace Breakwater
     order_cells<dim>(mesh_.cells, nodes_.n);
     move_to_smoothed(position);
     report.seconds       = timer.seconds();
-    record.quality_after = mesh_quality<dim>(mesh_, nodes_.positions(), parameters_.spacing);
+    record.quality_after = quality();
+  }
+
+
+  template <int dim>
+  QualityReport PfemFluid<dim>::quality() const
+  {
+    std::vector<double> radii(mesh_.cells.size());
+    if (!radii.empty())
+      element_passes<dim>().insphere_radii(mesh_.cells.front().data(), radii.size(), nodes_.xp.data(), radii.data());
+    return quality_report<dim>(radii, parameters_.spacing);
   }
 
 

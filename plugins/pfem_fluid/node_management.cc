@@ -1,5 +1,7 @@
 #include "node_management.h"
 
+#include "kernels.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -75,6 +77,12 @@ namespace Breakwater
     private:
       void find_edges()
       {
+        if (cells_.empty())
+          return;
+        std::vector<double> shortest(cells_.size()), longest(cells_.size());
+        element_passes<dim>().edge_squares(cells_.front().data(), cells_.size(), nodes_.xp.data(), shortest.data(),
+                                           longest.data());
+        const double in_doubt = 1 + 1e-9; // round-off is another here than there
         for (unsigned int c = 0; c < cells_.size(); ++c)
           {
             const Simplex<dim> x     = nodes_.corners(cells_[c]);
@@ -82,6 +90,8 @@ namespace Breakwater
             const double       close = std::pow(limits_.smallest_distance * h, 2);
             const double       far   = limits_.longest_edge > 0 ? std::pow(limits_.longest_edge * h, 2) :
                                                                   std::numeric_limits<double>::infinity();
+            if (shortest[c] > in_doubt * close && in_doubt * longest[c] < far)
+              continue;
             for (int a = 1; a <= dim; ++a)
               for (int b = 0; b < a; ++b)
                 {

@@ -10,6 +10,7 @@
 #include "structure_contact.h"
 
 #include <breakwater/interfaces/explicit_domain.h>
+#include <breakwater/mesh/quality_report.h>
 
 #include <functional>
 #include <string>
@@ -162,6 +163,7 @@ namespace Breakwater
 
     // mesh_smoothing.cc
     void                     smooth_mesh(RemeshRecord &record);
+    QualityReport            quality() const;
     std::vector<NodeFreedom> freedom_of_nodes(std::vector<Vec<dim>> &wall_normal);
     double                   spectral_bound_of_unsmoothed(); ///< [s]
     void                     move_to_smoothed(const std::vector<Vec<dim>> &position);

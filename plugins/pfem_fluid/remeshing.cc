@@ -344,6 +344,7 @@ namespace Breakwater
   void PfemFluid<dim>::set_references(const NodePairs<dim> &pairs)
   {
     collect_interface_cells();
+    collect_rim_facets();
     const EquationOfState &state = parameters_.equation_of_state.front();
     std::vector<double>    inertia(nodes_.n);
     for (std::size_t i = 0; i < nodes_.n; ++i)

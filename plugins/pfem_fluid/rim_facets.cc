@@ -12,13 +12,12 @@ namespace Breakwater
   void PfemFluid<dim>::collect_rim_facets()
   {
     rim_facets_.clear();
-    if (nodes_.n_interface == 0)
-      return;
-    for (const auto &cell : mesh_.cells)
+    for (const unsigned int c : interface_cells_)
       for (int k = 0; k <= dim; ++k)
         {
-          RimFacet facet{cell, {}, cell[k], {}};
-          bool     has_interface = false;
+          const auto &cell = mesh_.cells[c];
+          RimFacet    facet{cell, {}, cell[k], {}};
+          bool        has_interface = false;
           for (int a = 0, n = 0; a <= dim; ++a)
             if (a != k)
               {

@@ -18,19 +18,21 @@ namespace Breakwater
                           const std::vector<double> &cell_volume, const std::vector<double> &node_volume,
                           const unsigned int n_sweeps, std::vector<double> &q)
     {
-      std::vector<double> change(q.size());
+      std::vector<double> change(q.size()), density(q.size());
       for (unsigned int sweep = 0; sweep < n_sweeps; ++sweep)
         {
           std::fill(change.begin(), change.end(), 0.);
+          for (std::size_t i = 0; i < q.size(); ++i)
+            density[i] = q[i] / node_volume[i];
           for (std::size_t c = 0; c < cells.size(); ++c)
             {
-              double density[dim + 1], mean = 0;
-              for (int a = 0; a <= dim; ++a)
-                mean += density[a] = q[cells[c][a]] / node_volume[cells[c][a]];
+              double mean = 0;
+              for (const unsigned int i : cells[c])
+                mean += density[i];
               mean /= dim + 1;
               const double factor = cell_volume[c] / (2 * (dim + 1));
-              for (int a = 0; a <= dim; ++a)
-                change[cells[c][a]] -= factor * (density[a] - mean);
+              for (const unsigned int i : cells[c])
+                change[i] -= factor * (density[i] - mean);
             }
           for (std::size_t i = 0; i < q.size(); ++i)
             q[i] += change[i];
@@ -81,15 +83,8 @@ namespace Breakwater
       void volume_change(const std::vector<Quad> &u, std::vector<double> &result) const
       {
         std::fill(result.begin(), result.end(), 0.);
-        for (const auto &cell : cells_)
-          {
-            const Simplex<dim> area   = area_vectors(nodes_.corners(cell));
-            double             change = 0;
-            for (int a = 0; a <= dim; ++a)
-              change += dot(area[a], FluidNodes<dim>::vec(u[cell[a]]));
-            for (const unsigned int i : cell)
-              result[i] += change / (dim + 1);
-          }
+        element_passes<dim>().volume_changes(cells_.front().data(), cells_.size(), nodes_.xp.data(), u.data(),
+                                             result.data());
         for (std::size_t i = 0; i < result.size(); ++i)
           if (!is_free_[i])
             result[i] = 0;

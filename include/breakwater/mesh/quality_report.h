@@ -15,6 +15,11 @@ namespace Breakwater
     double smallest = 0, thousandth = 0, hundredth = 0, median = 0;   ///< minimum and quantiles of r [-]
   };
 
+  /// @param radii insphere radii of the cells [m]
+  /// @param spacing of the nodes, which makes the regular cell [m]
+  template <int dim>
+  QualityReport quality_report(const std::vector<double> &radii, double spacing);
+
   /// @param position of the nodes [m]
   /// @param spacing of the nodes, which makes the regular cell [m]
   template <int dim>

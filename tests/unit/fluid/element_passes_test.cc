@@ -610,6 +610,52 @@ TYPED_TEST(Passes, RelativeDisplacementIsBlindToTranslation)
 }
 
 
+TYPED_TEST(Passes, VolumeChangesAreThoseOfTheAreaVectors)
+{
+  constexpr int       dim = TypeParam::value;
+  const Tangle<dim>   t;
+  std::vector<double> change(t.x.size(), 0.), expected = change;
+  element_passes<dim>().volume_changes(t.cells().front().data(), t.cells().size(), t.x.data(), t.v.data(),
+                                       change.data());
+  for (const auto &cell : t.cells())
+    {
+      const Simplex<dim> area = area_vectors(t.corners(cell));
+      double             sum  = 0;
+      for (int a = 0; a <= dim; ++a)
+        sum += dot(area[a], FluidNodes<dim>::vec(t.v[cell[a]]));
+      for (const unsigned int i : cell)
+        expected[i] += sum / (dim + 1);
+    }
+  for (std::size_t i = 0; i < change.size(); ++i)
+    EXPECT_NEAR(change[i], expected[i], 1e-12 * spacing);
+}
+
+
+TYPED_TEST(Passes, RadiiAndEdgesAreThoseOfTheCells)
+{
+  constexpr int       dim = TypeParam::value;
+  const Tangle<dim>   t;
+  const std::size_t   n = t.cells().size();
+  std::vector<double> radius(n), shortest(n), longest(n);
+  element_passes<dim>().insphere_radii(t.cells().front().data(), n, t.x.data(), radius.data());
+  element_passes<dim>().edge_squares(t.cells().front().data(), n, t.x.data(), shortest.data(), longest.data());
+  for (std::size_t c = 0; c < n; ++c)
+    {
+      const Simplex<dim> x = t.corners(t.cells()[c]);
+      EXPECT_NEAR(radius[c], insphere_radius(x), 1e-13 * spacing);
+      double least = 1e300, most = 0;
+      for (int a = 1; a <= dim; ++a)
+        for (int b = 0; b < a; ++b)
+          {
+            least = std::min(least, norm(x[a] - x[b]));
+            most  = std::max(most, norm(x[a] - x[b]));
+          }
+      EXPECT_NEAR(std::sqrt(shortest[c]), least, 1e-13 * spacing);
+      EXPECT_NEAR(std::sqrt(longest[c]), most, 1e-13 * spacing);
+    }
+}
+
+
 TYPED_TEST(Passes, NothingHappensWithoutCells)
 {
   constexpr int                                      dim = TypeParam::value;

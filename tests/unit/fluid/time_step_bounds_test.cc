@@ -263,6 +263,28 @@ TYPED_TEST(TimeStepBounds, InsphereRuleOnARegularCell)
 }
 
 
+TYPED_TEST(TimeStepBounds, InsphereRuleIsThatOfTheWorstCell)
+{
+  constexpr int dim = TypeParam::value;
+  Sample<dim>   sample;
+  Noise         noise(7);
+  for (std::size_t i = 0; i < sample.position.size(); ++i)
+    {
+      sample.position[i] += 0.2 * spacing * noise.template vec<dim>();
+      sample.sound_speed[i] *= 1 + 0.2 * noise();
+    }
+  double least = 1e300;
+  for (const auto &cell : sample.mesh.cells)
+    {
+      double fastest = 0;
+      for (const unsigned int i : cell)
+        fastest = std::max(fastest, sample.sound_speed[i]);
+      least = std::min(least, std::abs(insphere_radius(corners<dim>(sample.position, cell))) / fastest);
+    }
+  EXPECT_EQ(InsphereBound<dim>().bound(sample.fluid()), least);
+}
+
+
 TYPED_TEST(TimeStepBounds, AreInfiniteWithoutCells)
 {
   constexpr int dim = TypeParam::value;
