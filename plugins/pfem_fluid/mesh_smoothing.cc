@@ -139,6 +139,7 @@ namespace Breakwater
       }
     nodes_.position_at_remesh = nodes_.xp;
     collect_curved_facets();
+    collect_interface_cells();
     collect_rim_facets();
   }
 

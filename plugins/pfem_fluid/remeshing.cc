@@ -180,6 +180,7 @@ namespace Breakwater
     nodes_.position_at_remesh      = nodes_.xp;
     parameters_.walls.note_remesh();
     collect_curved_facets();
+    collect_interface_cells();
     collect_rim_facets();
     return report;
   }
@@ -343,8 +344,6 @@ namespace Breakwater
   template <int dim>
   void PfemFluid<dim>::set_references(const NodePairs<dim> &pairs)
   {
-    collect_interface_cells();
-    collect_rim_facets();
     const EquationOfState &state = parameters_.equation_of_state.front();
     std::vector<double>    inertia(nodes_.n);
     for (std::size_t i = 0; i < nodes_.n; ++i)
