@@ -1,6 +1,7 @@
 #include "resampled_surface.h"
 
 #include <breakwater/base/exceptions.h>
+#include <breakwater/mesh/area_vector.h>
 
 #include <algorithm>
 #include <cmath>
@@ -20,25 +21,11 @@ namespace Breakwater
       return {std::min(a, b), std::max(a, b)};
     }
 
-    /// Twice the area of a facet in the direction of its normal [m^(dim - 1)]; in 2D its length.
-    template <int dim>
-    Vec<dim> area_vector(const WetSurface<dim>                                            &surface,
-                         const std::array<unsigned int, WetSurface<dim>::nodes_per_facet> &facet)
-    {
-      const auto &x = surface.position;
-      if constexpr (dim == 2)
-        {
-          const Vec<2> e = x[facet[1]] - x[facet[0]];
-          return {{e[1], -e[0]}};
-        }
-      else
-        return cross(x[facet[2]] - x[facet[0]], x[facet[3]] - x[facet[1]]);
-    }
-
     /// A grid of facets: corner (i, j) is node[j * (n[0] + 1) + i]. In 2D a row, without the second direction.
     struct Grid
     {
-      std::array<unsigned int, 2> n; ///< facets in each direction
+      std::array<unsigned int, 2> n;     ///< facets in each direction
+      unsigned int                first; ///< one of the facets
       std::vector<unsigned int>   node;
     };
 
@@ -93,8 +80,11 @@ namespace Breakwater
         if (meeting.size() != 2)
           return nullptr;
         const Side    &other = meeting[meeting[0].facet == f ? 1 : 0];
-        const Vec<dim> a     = area_vector<dim>(surface_, surface_.facets[f]),
-                       b     = area_vector<dim>(surface_, surface_.facets[other.facet]);
+        const auto    &body  = surface_.body_of_facet;
+        if (!body.empty() && body[f] != body[other.facet])
+          return nullptr;
+        const Vec<dim> a     = area_vector<dim>(surface_.position, surface_.facets[f]),
+                       b     = area_vector<dim>(surface_.position, surface_.facets[other.facet]);
         return dot(a, b) < std::cos(M_PI / 6) * norm(a) * norm(b) ? nullptr : &other;
       }
 
@@ -130,6 +120,7 @@ namespace Breakwater
       Grid fill_grid(const std::vector<Place> &places, const std::array<std::array<int, 2>, 2> &range) const
       {
         Grid grid;
+        grid.first = places.front().facet;
         for (int d = 0; d < 2; ++d)
           grid.n[d] = range[d][1] - range[d][0] + 1;
         constexpr unsigned int none = -1;
@@ -311,6 +302,8 @@ namespace Breakwater
     const std::vector<Grid> grids   = Patches<dim>(owner).grids();
     const auto              numbers = numbers_of_facets(owner, grids, spacing);
     NewNodes<dim>           nodes(owner);
+    WetSurface<dim>        &surface = nodes.result.surface;
+    surface.bodies                  = owner.bodies;
     for (std::size_t g = 0; g < grids.size(); ++g)
       {
         const Grid &grid = grids[g];
@@ -321,9 +314,11 @@ namespace Breakwater
         for (unsigned int j = 0; j < numbers[g][1]; ++j)
           for (unsigned int i = 0; i < numbers[g][0]; ++i)
             if constexpr (dim == 2)
-              nodes.result.surface.facets.push_back({node(i, 0), node(i + 1, 0)});
+              surface.facets.push_back({node(i, 0), node(i + 1, 0)});
             else
-              nodes.result.surface.facets.push_back({node(i, j), node(i + 1, j), node(i + 1, j + 1), node(i, j + 1)});
+              surface.facets.push_back({node(i, j), node(i + 1, j), node(i + 1, j + 1), node(i, j + 1)});
+        if (!owner.body_of_facet.empty())
+          surface.body_of_facet.resize(surface.facets.size(), owner.body_of_facet[grid.first]);
       }
     return nodes.result;
   }
@@ -339,7 +334,7 @@ namespace Breakwater
       area.assign(area.size(), 1.); // points of no extent: they are copies
     for (const auto &facet : resampled.surface.facets)
       for (const unsigned int i : facet)
-        area[i] += norm(area_vector<dim>(resampled.surface, facet)) / facet.size();
+        area[i] += norm(area_vector<dim>(resampled.surface.position, facet)) / facet.size();
     for (std::size_t i = 0; i < weights.size(); ++i)
       for (const auto &w : weights[i])
         area_of_owner[w.node] += std::abs(w.weight) * area[i];

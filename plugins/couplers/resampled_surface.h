@@ -28,7 +28,7 @@ namespace Breakwater
   ResampledSurface<dim> copy_of_surface(const WetSurface<dim> &owner);
 
   /// Nodes of another spacing [m], finer or coarser. The surface falls into patches at edges where its normal turns by
-  /// more than 30 degrees; these edges stay. Each patch is a grid of facets and becomes a grid of about that spacing,
+  /// more than 30 degrees, and where one body ends; these edges stay. Each patch is a grid of facets and becomes a grid of about that spacing,
   /// even in the numbers of the owner's facets. On elements of degree 2 (`is_middle`) nodes lie on the curved surface.
   /// @throws InputError if a patch is not a grid
   template <int dim>

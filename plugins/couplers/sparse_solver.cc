@@ -91,7 +91,7 @@ namespace Breakwater
     trilinos_->direct = std::make_unique<Amesos_Klu>(trilinos_->problem);
     if (trilinos_->direct->SymbolicFactorization() != 0 || trilinos_->direct->NumericFactorization() != 0)
       throw BreakdownError("Coupling: the equations of the interface, " + std::to_string(rows.size()) +
-                           " places, are singular: are some of them tied twice?");
+                           " unknowns, are singular: are some places tied twice?");
   }
 
 

@@ -1,5 +1,7 @@
 #include "pfem_fluid.h"
 
+#include <breakwater/mesh/area_vector.h>
+
 #include <cmath>
 
 // Around a bend of a wall, the chords of the mesh cut off caps that belong to the solid. Their volume is taken from the

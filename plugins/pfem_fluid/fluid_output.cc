@@ -194,8 +194,9 @@ namespace Breakwater
     parameters_.openings.find_driven(nodes_);
     visit(received_);
     visit(contact_impulse_);
+    const std::vector<char> sticks = slip_.sticking_nodes();
     InterfaceSlip<dim>::visit_state(slip_, visit);
-    if (slip_.taken_forces().size() != (slip_.is_on() ? nodes_.n_interface : 0))
+    if (slip_.sticking_nodes() != sticks)
       throw InputError(name_ + ": the checkpoint was written with another \"Law at structures\". Resume with the scene "
                                "that wrote it.");
     visit(slip_impulse_);

@@ -110,8 +110,7 @@ namespace Breakwater
     const std::vector<unsigned int> order = hilbert_order(place);
 
     const WetSurface<dim> &surface = adopted_.surface();
-    if (parameters_.law_at_structures == "free slip")
-      slip_.set_up(surface);
+    set_up_slip();
     nodes_.n_interface = adopted_.n_nodes();
     nodes_.resize(nodes_.n_interface + place.size());
     for (std::size_t i = 0; i < nodes_.n_interface; ++i)
@@ -130,6 +129,22 @@ namespace Breakwater
         for (int d = 0; d < dim; ++d)
           nodes_.xp[i][d] = x[d];
         nodes_.contacts[i] = parameters_.walls.faces_at(x, 1e-9 * parameters_.spacing);
+      }
+  }
+
+
+  template <int dim>
+  void PfemFluid<dim>::set_up_slip()
+  {
+    try
+      {
+        const std::vector<char> slips = parameters_.law_at_structures.slips(adopted_.surface());
+        if (std::any_of(slips.begin(), slips.end(), [](const char slips_here) { return slips_here; }))
+          slip_.set_up(adopted_.surface(), slips);
+      }
+    catch (const InputError &error)
+      {
+        throw InputError(parameters_.law_place + ": " + error.what());
       }
   }
 

@@ -1,5 +1,6 @@
 #include "interface_slip.h"
 
+#include <breakwater/mesh/area_vector.h>
 #include <breakwater/mesh/quality.h>
 
 #include <algorithm>
@@ -10,19 +11,6 @@ namespace Breakwater
 {
   namespace
   {
-    /// Normal of a facet times its area, in 3D twice that.
-    template <int dim, class Facet, class Position>
-    Vec<dim> area_of_facet(const Facet &facet, const Position &x)
-    {
-      if constexpr (dim == 2)
-        {
-          const Vec<2> e = x(facet[1]) - x(facet[0]);
-          return {{e[1], -e[0]}};
-        }
-      else
-        return cross(x(facet[2]) - x(facet[0]), x(facet[3]) - x(facet[1]));
-    }
-
     /// Adds what of a vector is at right angles to the directions so far, unless that is almost nothing.
     template <int dim>
     void add_direction(std::array<Vec<dim>, dim> &direction, unsigned int &n, Vec<dim> e)
@@ -38,18 +26,19 @@ namespace Breakwater
 
 
   template <int dim>
-  void InterfaceSlip<dim>::set_up(const WetSurface<dim> &surface)
+  void InterfaceSlip<dim>::set_up(const WetSurface<dim> &surface, const std::vector<char> &slips)
   {
     const double smooth = std::cos(40 * M_PI / 180);
     pieces_.assign(surface.position.size(), {});
+    sticks_.assign(pieces_.size(), 0);
     std::vector<std::vector<Vec<dim>>> normal(pieces_.size());
-    for (const Facet &facet : surface.facets)
-      for (const unsigned int i : facet)
+    for (std::size_t f = 0; f < surface.facets.size(); ++f)
+      for (const unsigned int i : surface.facets[f])
         {
-          const Vec<dim> area  = area_of_facet<dim>(facet, [&](const unsigned int k) {
-            return surface.position[k];
-          });
+          const Facet   &facet = surface.facets[f];
+          const Vec<dim> area  = area_vector<dim>(surface.position, facet);
           std::size_t    piece = 0;
+          sticks_[i]           = sticks_[i] || !slips[f];
           while (piece < normal[i].size() && dot(normal[i][piece], area) < smooth * norm(area) * norm(normal[i][piece]))
             ++piece;
           if (piece == normal[i].size())
@@ -110,14 +99,19 @@ namespace Breakwater
   {
     for (std::size_t i = 0; i < pieces_.size(); ++i)
       {
-        n_directions_[i] = 0;
+        n_directions_[i] = sticks_[i] ? dim : 0;
+        if (sticks_[i])
+          continue;
         for (const auto &piece : pieces_[i])
           {
             Vec<dim> normal;
             for (const Facet &facet : piece)
-              normal += area_of_facet<dim>(facet, [&](const unsigned int k) {
-                return nodes.position(k);
-              });
+              {
+                std::array<Vec<dim>, WetSurface<dim>::nodes_per_facet> corner;
+                for (std::size_t k = 0; k < corner.size(); ++k)
+                  corner[k] = nodes.position(facet[k]);
+                normal += area_vector<dim>(corner);
+              }
             add_direction<dim>(direction_[i], n_directions_[i], normal);
           }
         if (nodes.walls[i].empty())

@@ -26,9 +26,13 @@ namespace Breakwater
     using Cells = std::vector<typename SimplexMesh<dim>::Cell>;
 
     /// Groups the facets around each node into smooth pieces: at an edge of more than 40 degrees a new one begins.
-    void set_up(const WetSurface<dim> &surface);
+    /// @param slips [facet] whether the fluid slips there; at a node with another facet it does not
+    void set_up(const WetSurface<dim> &surface, const std::vector<char> &slips);
 
     bool is_on() const { return !pieces_.empty(); }
+
+    /// [interface node] whether the fluid does not slip there; empty if slip is not free anywhere.
+    const std::vector<char> &sticking_nodes() const { return sticks_; }
 
     /// Finds the fluid nodes around each interface node, after a remesh.
     void find_neighbours(const FluidNodes<dim> &nodes, const Cells &cells);
@@ -53,6 +57,7 @@ namespace Breakwater
     template <class Slip, class Visitor>
     static void visit_state(Slip &slip, const Visitor &visit)
     {
+      visit(slip.sticks_);
       visit(slip.cells_);
       visit(slip.begin_);
       visit(slip.neighbour_);
@@ -67,6 +72,7 @@ namespace Breakwater
     Vec<dim> along(std::size_t i, const Vec<dim> &vector) const;
 
     std::vector<std::vector<std::vector<Facet>>> pieces_;       ///< [node][piece]
+    std::vector<char>                            sticks_;       ///< [node] it has a facet without slip
     std::vector<unsigned int>                    cells_;        ///< with interface nodes, by number
     std::vector<unsigned int>                    begin_;        ///< [node] of its neighbours
     std::vector<unsigned int>                    neighbour_;    ///< j

@@ -41,7 +41,7 @@ namespace Breakwater
     filters_velocity_ = parameters_.filter_weight > 0 || parameters_.divergence_filter_weight > 0;
     context.note_effect("velocity filter", filters_velocity_, "its weights are 0");
     context.note_effect("tension", parameters_.tension == "allowed", "pressure below zero is cut off");
-    const bool asks_for_slip = parameters_.law_at_structures == "free slip";
+    const bool asks_for_slip = parameters_.law_at_structures.asks_for_slip();
     if (!adopted_.empty() || asks_for_slip)
       context.note_effect("free slip at structures", asks_for_slip && !adopted_.empty(),
                           adopted_.empty() ? "no structure meets the fluid" :

@@ -102,6 +102,7 @@ namespace Breakwater
     // initial_nodes.cc
     void make_initial_state();
     void place_initial_nodes();
+    void set_up_slip();
     void set_initial_velocity();
     void set_initial_pressure();
 

@@ -95,10 +95,7 @@ namespace Breakwater
                "Whether the pressure may fall below zero: `none` for violent flow, `allowed` for calm flow in which "
                "suction matters; walls that the fluid has touched then hold it.",
                {"none", "allowed"});
-    reader.add("Law at structures", law_at_structures,
-               "Whether the fluid at the surface of a structure moves with it (no slip) or slides along it without a "
-               "force (free slip); walls have laws of their own.",
-               {"no slip", "free slip"});
+    reader.add("Law at structures", law_text, LawAtStructures::documentation());
     initial_state.declare(reader);
     walls.declare_parameters(reader);
     openings.declare_parameters(reader);
@@ -191,6 +188,10 @@ namespace Breakwater
       reader.fail("Rheology", "a fluid needs one; `inviscid` is the simplest");
     if (time_step_bound.empty())
       reader.fail("Time step bound", "a fluid needs one");
+    law_place = reader.where("Law at structures");
+    read_entry(reader, "Law at structures", [&]() {
+      law_at_structures = LawAtStructures(law_text);
+    });
     equation_of_state.check_parameters(reader);
     rheology.check_parameters(reader);
     time_step_bound.check_parameters(reader);

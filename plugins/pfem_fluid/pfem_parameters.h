@@ -1,6 +1,7 @@
 #pragma once
 
 #include "fluid_shape.h"
+#include "law_at_structures.h"
 #include "mass_exchange.h"
 #include "node_management.h"
 #include "openings.h"
@@ -54,7 +55,9 @@ namespace Breakwater
     double                         smoothing_target  = 0.6;
     double                         fraction_of_bound = 0.9;
     std::string                    tension           = "none";
-    std::string                    law_at_structures = "no slip";
+    std::string                    law_text          = "no slip"; ///< at structures
+    std::string                    law_place;                     ///< where the file says it, for messages
+    LawAtStructures                law_at_structures;
     InitialState<dim>              initial_state;
     Walls<dim>                     walls;
     Openings<dim>                  openings;

@@ -1,5 +1,7 @@
 #include "pfem_fluid.h"
 
+#include <breakwater/mesh/area_vector.h>
+
 // Where another body touches a wall, its nodes belong to facets of the fluid on that wall. As such a node may leave the
 // wall or pass into it, the wedge between the facet and the wall counts as fluid: the fluid ends at the wall. Its
 // pressure, that of the facet's cell, pushes the node along the wall and the wall where the mesh alone would push the

@@ -2,6 +2,8 @@
 
 #include "nearest_place.h"
 
+#include <breakwater/mesh/area_vector.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -15,6 +17,10 @@ namespace Breakwater
     };
     const unsigned int first       = n_nodes();
     const std::size_t  first_piece = pieces_.size();
+    const unsigned int first_body  = surface_.bodies.size();
+    add(surface_.bodies, body.bodies);
+    for (const unsigned int number : body.body_of_facet)
+      surface_.body_of_facet.push_back(first_body + number);
     add(surface_.position, body.position);
     add(surface_.velocity, body.velocity);
     add(surface_.acceleration, body.acceleration);
@@ -52,15 +58,9 @@ namespace Breakwater
     radii_.resize(pieces_.size());
     for (std::size_t f = 0; f < pieces_.size(); ++f)
       {
-        const auto &x = surface_.position;
-        Vec<dim>    normal, center;
-        if constexpr (dim == 2)
-          {
-            const Vec<2> e = x[pieces_[f][1]] - x[pieces_[f][0]];
-            normal         = {{e[1], -e[0]}};
-          }
-        else
-          normal = cross(x[pieces_[f][1]] - x[pieces_[f][0]], x[pieces_[f][2]] - x[pieces_[f][0]]);
+        const auto    &x      = surface_.position;
+        const Vec<dim> normal = area_vector<dim>(x, pieces_[f]);
+        Vec<dim>       center;
         for (const unsigned int i : pieces_[f])
           center += x[i] * (1. / dim);
         normals_[f] = normal * (1. / norm(normal));

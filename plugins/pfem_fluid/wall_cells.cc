@@ -1,5 +1,7 @@
 #include "walls.h"
 
+#include <breakwater/mesh/area_vector.h>
+
 #include <algorithm>
 #include <cmath>
 

@@ -1,6 +1,7 @@
 #include "wall_surface.h"
 
 #include <breakwater/base/exceptions.h>
+#include <breakwater/mesh/area_vector.h>
 
 #include <algorithm>
 #include <cmath>

@@ -16,18 +16,6 @@ namespace Breakwater
     both
   };
 
-  /// Area vector of a segment or triangle, along its normal: to the right of a segment in 2D [m^(dim - 1)].
-  template <int dim>
-  Vec<dim> area_vector(const std::array<Vec<dim>, dim> &piece)
-  {
-    const Vec<dim> e = piece[1] - piece[0];
-    if constexpr (dim == 2)
-      return {{e[1], -e[0]}};
-    else
-      return 0.5 * cross(e, piece[2] - piece[0]);
-  }
-
-
   /// A surface of flat pieces (segments in 2D, triangles in 3D) at rest: the shape of a wall, in its own frame.
   ///
   /// Pieces that meet at less than 30 degrees form one *patch*: a face that a node may rest on and slide along. With

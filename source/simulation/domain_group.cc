@@ -188,7 +188,10 @@ namespace Breakwater
                 i = number[node];
               }
             surface_.facets.push_back(facet);
+            surface_.body_of_facet.push_back(m);
           }
+    for (const Member &member : members_)
+      surface_.bodies.push_back(member.name);
     start_surface();
   }
 
@@ -201,6 +204,7 @@ namespace Breakwater
       exposed.push_back(exposed_[n]);
     exposed_ = exposed;
     surface_.facets.clear();
+    surface_.body_of_facet.clear();
     start_surface();
   }
 

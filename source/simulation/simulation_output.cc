@@ -16,7 +16,7 @@ namespace Breakwater
   {
     namespace fs = std::filesystem;
 
-    const std::string checkpoint_format = "breakwater checkpoint 3";
+    const std::string checkpoint_format = "breakwater checkpoint 4";
 
     /// The checkpoint's file: of the last one, or of the one before if the run was stopped between two renamings.
     fs::path checkpoint_file(const fs::path &directory)
@@ -255,13 +255,13 @@ namespace Breakwater
   template <class AnySimulation, class Visitor>
   void Simulation<dim>::visit_parts(AnySimulation &simulation, const Visitor &visit)
   {
-    visit("", simulation.monitor_.energy_rise);
-    visit("", *simulation.context_);
-    visit("", *simulation.field_output_);
+    visit("rise of the energy", simulation.monitor_.energy_rise);
+    visit("run", *simulation.context_);
+    visit("fields", *simulation.field_output_);
     for (const NamedDomain &domain : simulation.domains_)
-      visit(domain.name, *domain.domain);
+      visit("body " + domain.name, *domain.domain);
     if (!simulation.coupler_.empty())
-      visit("", simulation.coupler_.front());
+      visit("coupler " + simulation.coupler_.names().front(), simulation.coupler_.front());
   }
 
 
@@ -324,8 +324,7 @@ namespace Breakwater
       std::string saved_name;
       read_binary(stream, saved_name);
       if (saved_name != name)
-        throw InputError("--resume: the checkpoint has the body \"" + saved_name + "\" where the scene has \"" + name +
-                         "\"");
+        throw InputError("--resume: the checkpoint has \"" + saved_name + "\" where the scene has \"" + name + "\"");
       part.load(stream);
     });
     for (const auto &group : groups_)

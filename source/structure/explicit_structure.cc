@@ -427,6 +427,8 @@ namespace Breakwater
               node = wet_index[node];
             }
         }
+    wet_surface_.bodies = {name_};
+    wet_surface_.body_of_facet.assign(wet_surface_.facets.size(), 0);
     if (mesh_.degree == 2)
       {
         // Nodes of a cell stand in order, direction by direction: its corners are those with even numbers in each.

@@ -119,6 +119,24 @@ namespace
   }
 
 
+  TEST(ResampledSurface, KeepsTheEndsOfBodies)
+  {
+    WetSurface<2> line;
+    for (unsigned int i = 0; i <= 10; ++i)
+      node_at(line, {{0.1 * i, 0.}});
+    for (unsigned int i = 0; i < 10; ++i)
+      {
+        line.facets.push_back({i, i + 1});
+        line.body_of_facet.push_back(i < 3 ? 0 : 1);
+      }
+    line.bodies          = {"A", "B"};
+    const auto resampled = resample_surface(line, 0.25).surface;
+    EXPECT_EQ(resampled.bodies, line.bodies);
+    EXPECT_EQ(resampled.body_of_facet, std::vector<unsigned int>({0, 1, 1, 1}));
+    EXPECT_NEAR(resampled.position[resampled.facets[1][0]][0], 0.3, 1e-15);
+  }
+
+
   TEST(ResampledSurface, RefusesASurfaceThatIsNoGrid)
   {
     WetSurface<3> step = step_in_space();

@@ -288,7 +288,7 @@ TYPED_TEST(Passes, BothInstructionSetsAgree)
   std::vector<unsigned int> around(dim * corners.size()), other_around(around);
   std::vector<Quad>         sum(around.size()), other_sum(around.size());
   Quad                      own, other_own;
-  std::iota(corners.begin(), corners.end() - 32, 0u); // as if all were at one node
+  std::iota(corners.begin(), corners.end() - 32, 0u); // as if all were at one node; their area vectors add up to zero
   ASSERT_EQ(one.pairs_around(cells, corners.data(), n_cells * (dim + 1), t.x.data(), is_active.data(), 0, place.data(),
                              around.data(), sum.data(), &own),
             t.x.size());
@@ -299,6 +299,26 @@ TYPED_TEST(Passes, BothInstructionSetsAgree)
   EXPECT_LT(difference(sum, other_sum), 1e-13);
   for (std::size_t j = 0; j < t.x.size(); ++j)
     EXPECT_NEAR(sum[j][3], other_sum[j][3], 1e-13 * regular_volume<dim>(spacing));
+  Vec<dim>     expected_own; // of the first corners of all cells, as if these were at one node
+  unsigned int n_firsts = 0;
+  for (std::size_t c = 0; c < n_cells; ++c)
+    {
+      corners[n_firsts++] = c * (dim + 1);
+      expected_own += area_vectors(t.corners(t.cells()[c]))[0];
+    }
+  std::fill(place.begin(), place.end(), 0);
+  std::fill(other_place.begin(), other_place.end(), 0);
+  one.pairs_around(cells, corners.data(), n_firsts, t.x.data(), is_active.data(), 0, place.data(), around.data(),
+                   sum.data(), &own);
+  two.pairs_around(cells, corners.data(), n_firsts, t.x.data(), is_active.data(), 0, other_place.data(),
+                   other_around.data(), other_sum.data(), &other_own);
+  const double area_of_cell = regular_volume<dim>(spacing) / spacing;
+  EXPECT_GT(norm(expected_own), area_of_cell);
+  for (int d = 0; d < dim; ++d)
+    {
+      EXPECT_NEAR(own[d], expected_own[d], 1e-12 * area_of_cell);
+      EXPECT_NEAR(other_own[d], expected_own[d], 1e-12 * area_of_cell);
+    }
 
   const auto &x0 = t.block.nodes.xp;
   EXPECT_NEAR(one.largest_relative_displacement(cells, n_cells, t.x.data(), x0.data()),

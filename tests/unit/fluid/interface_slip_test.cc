@@ -1,4 +1,5 @@
 #include "cloud.h"
+#include "one_wall.h"
 
 #include <pfem_fluid/interface_slip.h>
 
@@ -42,7 +43,8 @@ namespace
   template <int dim>
   struct Scene
   {
-    Scene()
+    /// @param slips whether the fluid slips at the first and at the second face
+    explicit Scene(const Walls<dim> &walls = {}, const std::vector<char> &slips = {1, 1})
     {
       const WetSurface<dim> surface = angle<dim>();
       nodes.resize(surface.position.size() + 1);
@@ -61,9 +63,11 @@ namespace
         cells = {{0, 1, 3, 6}};
       if (signed_volume(nodes.corners(cells[0])) < 0)
         std::swap(cells[0][0], cells[0][1]);
-      slip.set_up(surface);
+      for (std::size_t i = 0; i < nodes.n; ++i)
+        nodes.walls[i] = walls.faces_at(nodes.position(i), 1e-9);
+      slip.set_up(surface, slips);
       slip.find_neighbours(nodes, cells);
-      slip.update_directions(nodes, Walls<dim>());
+      slip.update_directions(nodes, walls);
       for (std::size_t i = 0; i < nodes.n; ++i)
         for (int d = 0; d < dim; ++d)
           nodes.force[i][d] = 1. + i + 10 * d;
@@ -95,6 +99,59 @@ namespace
     for (unsigned int i = 0; i < 3; ++i)
       for (int d = 0; d < dim; ++d)
         EXPECT_DOUBLE_EQ(after[i][d] + scene.slip.taken_forces()[i][d], before[i][d]);
+  }
+
+  /// A tank whose lower face in the last direction cuts the angle: in 2D at node 0, in 3D at nodes 0 to 2.
+  template <int dim>
+  Walls<dim> tank()
+  {
+    OneWall    reader(dim == 2 ? "box(-5, -1; 5, 5)" : "box(-5, -5, 0; 5, 5, 5)");
+    Walls<dim> walls;
+    walls.declare_parameters(reader);
+    walls.check_parameters(reader);
+    return walls;
+  }
+
+  TYPED_TEST(Slip, wallsTakeADirectionMore)
+  {
+    constexpr int dim = TypeParam::value;
+    Scene<dim>    scene(tank<dim>());
+    scene.slip.take_forces_along(scene.nodes, {Vec<dim>()});
+    const auto slides = [&](const unsigned int i) {
+      std::string directions;
+      for (int d = 0; d < dim; ++d)
+        directions += scene.nodes.force[i][d] == 0 ? "xyz"[d] : '-';
+      return directions;
+    };
+    if constexpr (dim == 2)
+      {
+        EXPECT_EQ(slides(0), "--"); // the face meets the floor
+        EXPECT_EQ(slides(2), "x-");
+      }
+    else
+      {
+        EXPECT_EQ(slides(0), "-y-"); // the edge of the face x = 0 with the floor
+        EXPECT_EQ(slides(1), "---"); // the corner of both faces with the floor
+        EXPECT_EQ(slides(2), "x--");
+        EXPECT_EQ(slides(3), "-yz"); // above the floor
+        EXPECT_EQ(slides(4), "--z"); // the edge of both faces
+      }
+  }
+
+  TYPED_TEST(Slip, aNodeWithAFaceThatDoesNotSlipSticks)
+  {
+    constexpr int dim = TypeParam::value;
+    Scene<dim>    scene({}, {1, 0});
+    const auto    before = scene.nodes.force;
+    scene.slip.take_forces_along(scene.nodes, {Vec<dim>()});
+    EXPECT_EQ(scene.nodes.force[0][1], 0); // on the first face alone
+    for (const unsigned int i : {1, 2})
+      for (int d = 0; d < dim; ++d)
+        EXPECT_EQ(scene.nodes.force[i][d], before[i][d]);
+    scene.nodes.v[scene.fluid()][1] = 5;
+    scene.slip.add_slip(scene.nodes);
+    EXPECT_DOUBLE_EQ(scene.nodes.v[0][1], 5);
+    EXPECT_EQ(scene.nodes.v[1][1], 0);
   }
 
   TYPED_TEST(Slip, leavesTheWeightOfTiedFluidInBalance)

@@ -292,11 +292,19 @@ TYPED_TEST(Contact, SeveralBodiesStandOneAfterTheOther)
   WetSurface<dim> second = plate<dim>();
   for (Vec<dim> &x : second.position)
     x[0] += 1;
-  AdoptedSurface<dim> surface(plate<dim>());
+  WetSurface<dim> first = plate<dim>();
+  first.bodies          = {"A"};
+  second.bodies         = {"B", "C"};
+  first.body_of_facet.assign(first.facets.size(), 0);
+  second.body_of_facet.assign(second.facets.size(), 1);
+  AdoptedSurface<dim> surface(first);
   const unsigned int  n_first = surface.n_nodes();
   EXPECT_EQ(surface.append(second), n_first);
   EXPECT_EQ(surface.n_nodes(), 2 * n_first);
   EXPECT_EQ(surface.surface().facets.back()[0], second.facets.back()[0] + n_first);
+  EXPECT_EQ(surface.surface().bodies, std::vector<std::string>({"A", "B", "C"}));
+  EXPECT_EQ(surface.surface().body_of_facet.front(), 0u);
+  EXPECT_EQ(surface.surface().body_of_facet.back(), 2u);
 
   FluidNodes<dim> nodes =
     nodes_with(surface, {place<dim>(0.5, 0.2, 0.1), place<dim>(0.001, 0.2, 0.1), place<dim>(1.001, 0.2, 0.1)});

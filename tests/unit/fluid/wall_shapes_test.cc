@@ -1,4 +1,5 @@
 #include <breakwater/base/exceptions.h>
+#include <breakwater/mesh/area_vector.h>
 
 #include <gtest/gtest.h>
 #include <pfem_fluid/rigid_motion.h>

@@ -118,6 +118,11 @@ namespace Breakwater
     const WetSurface<2> &surface = bodies.group->wet_surface();
     EXPECT_EQ(surface.position.size(), 24u); // around 10 by 2 cells; the joint's inner node has no facet
     EXPECT_EQ(surface.facets.size(), 24u);
+    EXPECT_EQ(surface.bodies, std::vector<std::string>({"A", "B"}));
+    ASSERT_EQ(surface.body_of_facet.size(), 24u);
+    for (std::size_t f = 0; f < 24; ++f)
+      EXPECT_EQ(surface.body_of_facet[f], surface.position[surface.facets[f][0]][0] +
+                                                surface.position[surface.facets[f][1]][0] > 0.4 ? 1u : 0u);
     double mass = 0;
     for (const double m : surface.mass)
       mass += m;
@@ -167,21 +172,24 @@ namespace Breakwater
 
   TEST(DomainGroup, AStopOfOneBodyStopsJoinedNodesOfBoth)
   {
-    const std::string falling = "set Clamp =\nset Wet boundaries = all\nset Initial velocity = 0, -2\n";
-    Bodies            bodies({box("0, 0.01; 0.2, 0.11; 4, 2", falling + "set Stops = 0, 0; 0, 1 | 0, 0; 0.6, 0.8\n"),
+    const std::string falling = "set Clamp =\nset Wet boundaries = all\nset Initial velocity = 1, -2\n";
+    Bodies            bodies({box("0, 0.01; 0.2, 0.11; 4, 2", falling + "set Stops = 0, 0; 0, 1 | 0.21, 0; -1, 0\n"),
                               box("0.2, 0.01; 0.5, 0.11; 3, 2", falling)},
                              {{0, 1}});
     const auto        pairs = joint_nodes(bodies.surface(0).position, bodies.surface(1).position);
     const auto corner = node_at(bodies.surface(1), {{0.2, 0.01}}), free = node_at(bodies.surface(1), {{0.5, 0.01}});
-    double     lowest = 0, lowest_free = 0, largest_gap = 0;
+    double     lowest = 0, lowest_free = 0, farthest = 0, largest_gap = 0;
     for (unsigned int k = 0; k < 100; ++k)
       {
         bodies.run(0.0002);
         lowest      = std::min(lowest, bodies.surface(1).position[corner][1]);
         lowest_free = std::min(lowest_free, bodies.surface(1).position[free][1]);
         largest_gap = std::max(largest_gap, gap(bodies, pairs));
+        for (const auto &[i, j] : pairs)
+          farthest = std::max(farthest, bodies.surface(1).position[j][0]);
       }
-    EXPECT_GT(lowest, -1e-15);
+    EXPECT_NEAR(lowest, 0, 1e-15);
+    EXPECT_NEAR(farthest, 0.21, 1e-15); // the second plane
     EXPECT_LT(lowest_free, -0.01); // what is not joined goes through
     EXPECT_LT(largest_gap, 1e-15);
   }
