@@ -24,6 +24,18 @@ def slide(law, spacing=0.01):
     return impulse / momentum[0], (momentum[-1] + impulse + left_out) / momentum[0] - 1, pressed
 
 
+def slide_between(law):
+    """The impulses along x on the plate and on a lid above, over the fluid's momentum [-]."""
+    lid = {"Mesh": "box(-0.5, 0.1; 1.5, 0.12; 200, 2)", "Degree": 1, "Clamp": "top", "Wet boundaries": "bottom",
+           "Material/Model": "linear elastic", "Material/Linear elastic/Density": 5000,
+           "Material/Linear elastic/Young's modulus": 1e8, "Material/Linear elastic/Poisson's ratio": 0}
+    history = run("verification/sliding_layer.prm", {
+        "Fluid/Pfem/Law at structures": law, "End time": 0.05,
+        **{f"Structures/Lid/{entry}": value for entry, value in lid.items()}})
+    return [0.01 * sum(history[f"force on {name} x [N]"]) / history["fluid momentum x [kg m/s]"][0]
+            for name in ("Plate", "Lid")]
+
+
 verification = Verification()
 if "study" in sys.argv:
     for law in ("no slip", "free slip"):
@@ -36,6 +48,13 @@ impulse, missing, pressed = slide("free slip")
 verification.check("free slip: force across the plate over the fluid's weight", pressed, 0.9, 1.1)
 verification.check("free slip: impulse on the plate", impulse, -1e-5, 1e-5)
 verification.check("free slip: missing momentum", missing, -1e-3, 1e-3)
+
+plate, lid = slide_between("Plate: free slip")
+verification.check("free slip at the plate only: impulse on the plate", plate, -1e-5, 1e-5)
+verification.check("free slip at the plate only: impulse on the lid", lid, 0.02, 0.4)
+plate, lid = slide_between("Lid: free slip, Plate: no slip")
+verification.check("free slip at the lid only: impulse on the plate", plate, 0.02, 0.4)
+verification.check("free slip at the lid only: impulse on the lid", lid, -1e-5, 1e-5)
 
 COARSE = {"End time": 0.3, "Fluid/Pfem/Spacing": 0.008, "Output/Fields every": 0,
           "Structures/Obstacle/Mesh": "box(0.292, 0; 0.304, 0.08; 1, 5)", "Fluid/Pfem/Law at structures": "free slip"}
