@@ -79,12 +79,12 @@ namespace Breakwater
         const std::vector<Side> &meeting = sides_.at(side(f, k));
         if (meeting.size() != 2)
           return nullptr;
-        const Side    &other = meeting[meeting[0].facet == f ? 1 : 0];
-        const auto    &body  = surface_.body_of_facet;
+        const Side &other = meeting[meeting[0].facet == f ? 1 : 0];
+        const auto &body  = surface_.body_of_facet;
         if (!body.empty() && body[f] != body[other.facet])
           return nullptr;
-        const Vec<dim> a     = area_vector<dim>(surface_.position, surface_.facets[f]),
-                       b     = area_vector<dim>(surface_.position, surface_.facets[other.facet]);
+        const Vec<dim> a = area_vector<dim>(surface_.position, surface_.facets[f]),
+                       b = area_vector<dim>(surface_.position, surface_.facets[other.facet]);
         return dot(a, b) < std::cos(M_PI / 6) * norm(a) * norm(b) ? nullptr : &other;
       }
 

@@ -139,7 +139,9 @@ namespace Breakwater
     try
       {
         const std::vector<char> slips = parameters_.law_at_structures.slips(adopted_.surface());
-        if (std::any_of(slips.begin(), slips.end(), [](const char slips_here) { return slips_here; }))
+        if (std::any_of(slips.begin(), slips.end(), [](const char slips_here) {
+              return slips_here;
+            }))
           slip_.set_up(adopted_.surface(), slips);
       }
     catch (const InputError &error)

@@ -40,10 +40,13 @@ namespace Breakwater
       {
         const std::size_t colon = part.find(':');
         if (colon == std::string::npos)
-          throw InputError("can't read \"" + part + "\"; the form of a list is NAME: LAW, several of them separated by "
+          throw InputError("can't read \"" + part +
+                           "\"; the form of a list is NAME: LAW, several of them separated by "
                            "commas");
         const std::string body = trim(part.substr(0, colon));
-        if (std::any_of(named_.begin(), named_.end(), [&body](const Named &named) { return named.body == body; }))
+        if (std::any_of(named_.begin(), named_.end(), [&body](const Named &named) {
+              return named.body == body;
+            }))
           throw InputError("\"" + body + "\" is named twice");
         named_.push_back({body, is_free_slip(trim(part.substr(colon + 1)))});
       }
@@ -54,7 +57,9 @@ namespace Breakwater
 
   bool LawAtStructures::asks_for_slip() const
   {
-    return others_slip_ || std::any_of(named_.begin(), named_.end(), [](const Named &named) { return named.slips; });
+    return others_slip_ || std::any_of(named_.begin(), named_.end(), [](const Named &named) {
+             return named.slips;
+           });
   }
 
 

@@ -24,7 +24,7 @@ namespace Breakwater
     std::vector<Vec<dim>>                                  inverse_mass; ///< [1/kg], 0 in a direction that is held
     std::vector<double>                                    mass;         ///< [kg], held or not
     std::vector<std::array<unsigned int, nodes_per_facet>> facets;
-    std::vector<std::string>  bodies;        ///< whose surface this is, by name
+    std::vector<std::string>                               bodies; ///< whose surface this is, by name
     std::vector<unsigned int> body_of_facet; ///< [facet] number in `bodies`; empty if no body has a name
     /// [node] of a domain that owns its nodes: true in the middle of an edge or face of an element of degree 2, which
     /// may bend; empty: no such nodes.

@@ -105,11 +105,7 @@ namespace
   template <int dim>
   Walls<dim> tank()
   {
-    OneWall    reader(dim == 2 ? "box(-5, -1; 5, 5)" : "box(-5, -5, 0; 5, 5, 5)");
-    Walls<dim> walls;
-    walls.declare_parameters(reader);
-    walls.check_parameters(reader);
-    return walls;
+    return walls_of<dim>(OneWall(dim == 2 ? "box(-5, -1; 5, 5)" : "box(-5, -5, 0; 5, 5, 5)"));
   }
 
   TYPED_TEST(Slip, wallsTakeADirectionMore)

@@ -18,10 +18,7 @@ namespace
   template <int dim>
   NodeChanges manage(Block<dim> &block, const NodeLimits<dim> &limits = {})
   {
-    OneWall    reader(dim == 2 ? "box(-9, -9; 9, 9)" : "box(-9, -9, -9; 9, 9, 9)");
-    Walls<dim> walls;
-    walls.declare_parameters(reader);
-    walls.check_parameters(reader);
+    Walls<dim> walls = walls_of<dim>(OneWall(dim == 2 ? "box(-9, -9; 9, 9)" : "box(-9, -9, -9; 9, 9, 9)"));
     return manage_nodes<dim>(block.nodes, block.mesh.cells, SizeField<dim>(spacing), walls, block.density, limits);
   }
 

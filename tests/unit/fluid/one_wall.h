@@ -1,5 +1,6 @@
 #pragma once
 
+#include <pfem_fluid/walls.h>
 #include <unit/plugins/given_parameters.h>
 
 namespace Breakwater
@@ -18,4 +19,13 @@ namespace Breakwater
     }
     std::vector<std::string> section_titles() const override { return {"Tank"}; }
   };
+
+  template <int dim>
+  Walls<dim> walls_of(OneWall reader)
+  {
+    Walls<dim> walls;
+    walls.declare_parameters(reader);
+    walls.check_parameters(reader);
+    return walls;
+  }
 } // namespace Breakwater

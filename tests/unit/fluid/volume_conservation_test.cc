@@ -49,11 +49,7 @@ namespace
   template <int dim>
   Walls<dim> one_tank()
   {
-    OneWall    reader(dim == 2 ? "box(0, 0; 9, 9)" : "box(0, 0, 0; 9, 9, 9)");
-    Walls<dim> walls;
-    walls.declare_parameters(reader);
-    walls.check_parameters(reader);
-    return walls;
+    return walls_of<dim>(OneWall(dim == 2 ? "box(0, 0; 9, 9)" : "box(0, 0, 0; 9, 9, 9)"));
   }
 
   /// A block whose interior nodes have too little room for their masses.

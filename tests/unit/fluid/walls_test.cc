@@ -14,11 +14,7 @@ namespace
   template <int dim>
   Walls<dim> tank(const std::string &law, const std::string &kind = "open box")
   {
-    OneWall    reader(kind + (dim == 2 ? "(0, 0; 1, 2)" : "(0, 0, 0; 1, 2, 3)"), law);
-    Walls<dim> walls;
-    walls.declare_parameters(reader);
-    walls.check_parameters(reader);
-    return walls;
+    return walls_of<dim>(OneWall(kind + (dim == 2 ? "(0, 0; 1, 2)" : "(0, 0, 0; 1, 2, 3)"), law));
   }
 
   constexpr double spacing_of_nodes = 0.1;
@@ -26,10 +22,7 @@ namespace
   template <int dim>
   Walls<dim> wall_of(const std::map<std::string, std::string> &values)
   {
-    OneWall    reader(values);
-    Walls<dim> walls;
-    walls.declare_parameters(reader);
-    walls.check_parameters(reader);
+    Walls<dim> walls = walls_of<dim>(OneWall(values));
     walls.set_spacing(spacing_of_nodes);
     return walls;
   }

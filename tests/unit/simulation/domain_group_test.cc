@@ -121,8 +121,8 @@ namespace Breakwater
     EXPECT_EQ(surface.bodies, std::vector<std::string>({"A", "B"}));
     ASSERT_EQ(surface.body_of_facet.size(), 24u);
     for (std::size_t f = 0; f < 24; ++f)
-      EXPECT_EQ(surface.body_of_facet[f], surface.position[surface.facets[f][0]][0] +
-                                                surface.position[surface.facets[f][1]][0] > 0.4 ? 1u : 0u);
+      EXPECT_EQ(surface.body_of_facet[f],
+                surface.position[surface.facets[f][0]][0] + surface.position[surface.facets[f][1]][0] > 0.4 ? 1u : 0u);
     double mass = 0;
     for (const double m : surface.mass)
       mass += m;
@@ -190,7 +190,7 @@ namespace Breakwater
       }
     EXPECT_NEAR(lowest, 0, 1e-15);
     EXPECT_NEAR(farthest, 0.21, 1e-15); // the second plane
-    EXPECT_LT(lowest_free, -0.01); // what is not joined goes through
+    EXPECT_LT(lowest_free, -0.01);      // what is not joined goes through
     EXPECT_LT(largest_gap, 1e-15);
   }
 
