@@ -25,7 +25,7 @@ namespace Breakwater
   public:
     using Cells = std::vector<typename SimplexMesh<dim>::Cell>;
 
-    /// Groups the facets around each node into smooth pieces: at an edge of more than 40 degrees a new one begins.
+    /// Groups the facets around each node into smooth pieces: at an edge of more than 40 degrees a new piece begins.
     /// @param slips [facet] whether the fluid slips there; at a node with another facet it does not
     void set_up(const WetSurface<dim> &surface, const std::vector<char> &slips);
 

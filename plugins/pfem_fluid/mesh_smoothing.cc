@@ -90,8 +90,10 @@ namespace Breakwater
   {
     classify_nodes();
     wall_normal.assign(nodes_.n, {});
-    const auto normal_of = [this](const unsigned int n, const std::size_t i, Vec<dim> &normal) {
-      return parameters_.walls.normal_at(*(nodes_.walls[i].begin() + n), nodes_.position(i), normal);
+    const auto normal_of = [this](const unsigned int n, const std::size_t i) { // of a flat wall
+      Vec<dim> normal;
+      parameters_.walls.normal_at(*(nodes_.walls[i].begin() + n), nodes_.position(i), normal);
+      return normal;
     };
     const std::vector<char>  is_on_boundary = are_on_boundary(mesh_, nodes_.n);
     std::vector<NodeFreedom> freedom(nodes_.n, NodeFreedom::fixed);
@@ -104,12 +106,12 @@ namespace Breakwater
         const auto n_walls    = std::distance(walls.begin(), walls.end());
         if (n_walls == 0 || !is_on_boundary[i]) // close to a wall that others cover
           freedom[i] = is_surface ? NodeFreedom::slides_on_surface : NodeFreedom::free;
-        else if (n_walls == 1 && normal_of(0, i, wall_normal[i]))
-          freedom[i] = is_surface ? NodeFreedom::slides_on_line : NodeFreedom::slides_on_wall;
-        else if (n_walls == 2 && normal_of(0, i, wall_normal[i]))
+        else if (n_walls <= 2)
           {
-            Vec<dim> other;
-            if (normal_of(1, i, other) && make_direction(wall_normal[i], other))
+            wall_normal[i] = normal_of(0, i);
+            if (n_walls == 1)
+              freedom[i] = is_surface ? NodeFreedom::slides_on_line : NodeFreedom::slides_on_wall;
+            else if (make_direction(wall_normal[i], normal_of(1, i)))
               freedom[i] = is_surface ? NodeFreedom::ends_on_edge : NodeFreedom::slides_on_edge;
           }
       }

@@ -69,6 +69,24 @@ namespace Breakwater
       return result;
     }
 
+    /// True if a node of a wall or of an edge has been moved off it, by more than round-off.
+    template <int dim>
+    bool has_left_walls(const SmoothingTask<dim> &task, const unsigned int node, const Vec<dim> &move)
+    {
+      const double largest = 1e-9 * task.spacing;
+      switch (task.freedom[node])
+        {
+          case NodeFreedom::slides_on_wall:
+          case NodeFreedom::slides_on_line:
+            return std::abs(dot(move, task.wall_normal[node])) > largest;
+          case NodeFreedom::slides_on_edge:
+          case NodeFreedom::ends_on_edge:
+            return norm(dim == 2 ? move : move - task.wall_normal[node] * dot(move, task.wall_normal[node])) > largest;
+          default:
+            return false;
+        }
+    }
+
     /// True if every facet of the first list whose nodes are all fixed is in the second; both are in rising order.
     template <class Facet>
     bool has_all_fixed(const std::vector<Facet> &a, const std::vector<Facet> &b,
@@ -138,12 +156,16 @@ namespace Breakwater
           return "node " + std::to_string(i) + " is nowhere";
         if (task.freedom[i] == NodeFreedom::fixed && move > 0)
           return "fixed node " + std::to_string(i) + " has moved";
+        if (has_left_walls(task, i, after[i] - before[i]))
+          return "node " + std::to_string(i) + " has left its wall";
       }
     const std::vector<char> had_cells = nodes_with_cells(mesh_before, before.size()),
                             has_cells = nodes_with_cells(mesh_after, before.size());
     unsigned int n_freed              = 0;
     for (std::size_t i = 0; i < before.size(); ++i)
-      if (had_cells[i] != has_cells[i])
+      if (!had_cells[i] && has_cells[i])
+        return "node " + std::to_string(i) + ", which had no cells, has got some";
+      else if (had_cells[i] && !has_cells[i])
         {
           ++n_freed;
           if (!is_on_surface(task.freedom[i]))

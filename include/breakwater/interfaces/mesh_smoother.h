@@ -39,10 +39,12 @@ namespace Breakwater
   struct SmoothingTask
   {
     const std::vector<NodeFreedom> &freedom; ///< of the nodes
-    const std::vector<Vec<dim>>
-      &wall_normal; ///< at nodes that slide on a wall or a line; the direction of the edge at nodes on one (3D); unit
-                    ///< length. At those that end on an edge, its direction
-    double spacing; ///< the wanted distance of nodes, h [m]
+
+    /// At nodes that slide on a wall or a line, the wall's normal; at nodes that slide or end on an edge, its direction
+    /// (3D). Unit length.
+    const std::vector<Vec<dim>> &wall_normal;
+
+    double spacing;      ///< the wanted distance of nodes, h [m]
     double target = 0.6; ///< wanted smallest insphere radius, in units of the regular cell's
 
     /// Whether no wall is in the way of a node of the boundary to a place; empty: none ever is.
@@ -104,7 +106,8 @@ namespace Breakwater
   void measure_moves(const std::vector<Vec<dim>> &before, const std::vector<Vec<dim>> &after, SmoothingReport &report);
 
   /// Checks what every smoother owes: no cell is inverted (the smallest signed insphere radius is not negative, or at
-  /// least what it was), fixed nodes stay, every node keeps a cell unless it slides on the surface and is counted,
+  /// least what it was), fixed nodes stay, those of walls and edges stay on them,
+  /// every node keeps a cell unless it slides on the surface and is counted, none gets cells that had none,
   /// `boundary` is that of the cells and the same as before except for peeled cells, facets between fixed
   /// nodes (an interface) stay even so, and the volume is kept to round-off but for what the report says of it.
   /// @return the first violation in words, empty if there is none
