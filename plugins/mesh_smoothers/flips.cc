@@ -19,7 +19,6 @@ namespace Breakwater
   {
     constexpr unsigned int n_most = 4;
     unsigned int           n      = 0;
-    touched_.clear();
     while (n < n_most && mesh_.r(cell) < mesh_.target() && flip(cell))
       {
         ++n;
@@ -37,8 +36,6 @@ namespace Breakwater
     if (best_new_cells_.empty())
       return false;
     mesh_.replace(best_old_cells_, best_new_cells_, numbers_);
-    for (const Cell &cell : best_new_cells_)
-      touched_.insert(touched_.end(), cell.begin(), cell.end());
     return true;
   }
 

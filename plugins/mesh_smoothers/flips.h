@@ -31,9 +31,6 @@ namespace Breakwater
     /// @return how many flips were made
     unsigned int improve(unsigned int cell);
 
-    /// The nodes of the cells that the last improve() changed.
-    const std::vector<unsigned int> &touched() const { return touched_; }
-
   private:
     static constexpr int largest_ring = 7;
 
@@ -50,7 +47,7 @@ namespace Breakwater
 
     StarMesh<dim>            &mesh_;
     double                    best_ = 0; ///< smallest r after the best flip so far
-    std::vector<unsigned int> old_cells_, best_old_cells_, numbers_, touched_;
+    std::vector<unsigned int> old_cells_, best_old_cells_, numbers_;
     std::vector<Cell>         new_cells_, best_new_cells_;
 
     int                                    n_ring_ = 0;

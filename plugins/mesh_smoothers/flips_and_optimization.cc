@@ -7,7 +7,7 @@
 #include <breakwater/base/parameter_reader.h>
 
 #include <algorithm>
-#include <cmath>
+#include <limits>
 
 namespace Breakwater
 {
@@ -23,7 +23,8 @@ namespace Breakwater
         , node_step_(mesh)
         , peel_(mesh, budget)
         , report_(report)
-        , changed_in_(mesh.positions().size(), 0)
+        , moved_in_vain_(mesh.positions().size(), never)
+        , lifted_in_vain_(mesh.positions().size(), never)
       {
       }
 
@@ -33,11 +34,11 @@ namespace Breakwater
         for (unsigned int c = 0; c < n_cells; ++c)
           if (is_bad(c))
             flip(c);
-        for (pass_ = 1; pass_ <= n_passes && repair_worst_first(); ++pass_)
+        for (unsigned int pass = 0; pass < n_passes && repair_worst_first(); ++pass)
           {
           }
-        std::fill(changed_in_.begin(), changed_in_.end(), pass_);
-        for (const unsigned int last = pass_ + n_passes; pass_ < last && change_surface(); ++pass_)
+        tried_.clear();
+        for (unsigned int pass = 0; pass < n_passes && change_surface(); ++pass)
           {
           }
         peel_.finish(report_);
@@ -67,20 +68,25 @@ namespace Breakwater
       {
         const unsigned int n = flips_.improve(c);
         report_.n_flips += n;
-        for (const unsigned int node : flips_.touched())
-          note_change(node);
         return n > 0;
       }
 
-      void note_change(const unsigned int node) { changed_in_[node] = pass_; }
-
-      /// What was tried in vain and has not changed since is not tried again.
-      bool may_help(const unsigned int c) const
+      /// Cells that were tried and have not changed since, nor the stars of their nodes, are not tried again.
+      bool may_help(const unsigned int c)
       {
-        const auto &cell = mesh_.cell(c);
-        return pass_ == 1 || std::any_of(cell.begin(), cell.end(), [this](const unsigned int node) {
-                 return changed_in_[node] + 1 >= pass_;
-               });
+        if (tried_.size() <= c)
+          tried_.resize(mesh_.n_cells(), never);
+        const auto &cell     = mesh_.cell(c);
+        const bool  may_help = std::any_of(cell.begin(), cell.end(), [&](const unsigned int node) {
+          return has_changed_since(node, tried_[c]);
+        });
+        tried_[c]            = mesh_.clock();
+        return may_help;
+      }
+
+      bool has_changed_since(const unsigned int node, const unsigned int time) const
+      {
+        return time == never || mesh_.changed_at(node) > time;
       }
 
       /// @return whether a further pass may help
@@ -105,7 +111,7 @@ namespace Breakwater
         for (const unsigned int c : mesh_.bad_cells())
           if (mesh_.r(c) < wanted_at_least() && may_help(c))
             has_changed = flip(c) || move_nodes(c) || lift_nodes(c) || peel(c, {1., false}) || make_room(c, true) ||
-                          peel(c, {1., true}) || free_nodes(c) || has_changed;
+                          peel(c, {1., true}) || peel_.free_nodes(c) || has_changed;
         return has_changed;
       }
 
@@ -121,21 +127,7 @@ namespace Breakwater
 
       bool peel(const unsigned int c, const typename Peel<dim>::Limits &limits)
       {
-        const auto cell = mesh_.cell(c);
-        return peel_.try_cell(c, limits) && note_removal(cell);
-      }
-
-      bool free_nodes(const unsigned int c)
-      {
-        const auto cell = mesh_.cell(c);
-        return peel_.free_nodes(c) && note_removal(cell);
-      }
-
-      bool note_removal(const typename SimplexMesh<dim>::Cell &cell)
-      {
-        for (const unsigned int node : cell)
-          note_change(node);
-        return true;
+        return peel_.try_cell(c, limits);
       }
 
       bool move_nodes(const unsigned int c)
@@ -150,20 +142,22 @@ namespace Breakwater
 
       bool move_node(const unsigned int node, const double wanted)
       {
-        return node_step_.improve(node, wanted) && note_move(node);
+        if (!has_changed_since(node, moved_in_vain_[node]))
+          return false;
+        const bool has_moved = node_step_.improve(node, wanted);
+        if (!has_moved && mesh_.smallest(node) < wanted)
+          moved_in_vain_[node] = mesh_.clock();
+        return has_moved;
       }
 
       bool lift_node(const unsigned int node, const double wanted)
       {
-        return node_step_.lift(node, wanted, peel_.budget()) && note_move(node);
-      }
-
-      bool note_move(const unsigned int node)
-      {
-        for (const unsigned int other : mesh_.star(node))
-          for (const unsigned int neighbor : mesh_.cell(other))
-            note_change(neighbor);
-        return true;
+        if (!has_changed_since(node, lifted_in_vain_[node]))
+          return false;
+        const bool has_moved = node_step_.lift(node, wanted, peel_.budget());
+        if (!has_moved && mesh_.smallest(node) < wanted)
+          lifted_in_vain_[node] = mesh_.clock();
+        return has_moved;
       }
 
       /// What is in the way of a cell that nothing helps are neighbours that are hardly better: these come first.
@@ -188,8 +182,11 @@ namespace Breakwater
       NodeStep<dim>             node_step_;
       Peel<dim>                 peel_;
       SmoothingReport          &report_;
-      std::vector<unsigned int> changed_in_; ///< the last pass in which something around a node changed
-      unsigned int              pass_ = 0;
+
+      static constexpr unsigned int never = std::numeric_limits<unsigned int>::max();
+      // By the clock of the mesh.
+      std::vector<unsigned int> tried_;                           ///< when a cell was last tried
+      std::vector<unsigned int> moved_in_vain_, lifted_in_vain_; ///< when no step helped a node
     };
   } // namespace
 

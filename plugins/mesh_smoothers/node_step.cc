@@ -87,7 +87,7 @@ namespace Breakwater
     normals_.clear();
     if (budget != nullptr)
       for (const auto &facet : facets_)
-        normals_.push_back(mesh_.normal_of(facet));
+        normals_.push_back(mesh_.normal_of(facet, node, mesh_.position(node)));
     update_gradients(node, constraint);
     double         smallest = *std::min_element(r_.begin(), r_.end()), proximal = 0.12;
     bool           has_moved = false;
@@ -101,14 +101,11 @@ namespace Breakwater
         const double predicted = model_step(proximal, smallest, step);
         if (!(predicted > least_gain))
           break;
-        const Vec<dim> before = mesh_.position(node), x = before + mesh_.within_reach(node, step, budget == nullptr);
-        const bool     is_better = fits(x) && evaluate(node, x, smallest + least_part * predicted);
-        if (is_better)
-          mesh_.move(node, x, new_r_);
-        if (is_better && is_on_boundary && turns_facet(constraint, budget != nullptr))
-          mesh_.move(node, before, r_);
-        else if (is_better)
+        const Vec<dim> x = mesh_.position(node) + mesh_.within_reach(node, step, budget == nullptr);
+        if (fits(x) && evaluate(node, x, smallest + least_part * predicted) &&
+            !(is_on_boundary && turns_facet(node, x, constraint, budget != nullptr)))
           {
+            mesh_.move(node, x, new_r_);
             has_moved = true;
             update_gradients(node, constraint);
             smallest = *std::min_element(r_.begin(), r_.end());
@@ -129,12 +126,13 @@ namespace Breakwater
 
 
   template <int dim>
-  bool NodeStep<dim>::turns_facet(const typename StarMesh<dim>::Constraint &constraint, const bool is_lifted) const
+  bool NodeStep<dim>::turns_facet(const unsigned int node, const Vec<dim> &x,
+                                  const typename StarMesh<dim>::Constraint &constraint, const bool is_lifted) const
   {
     if (!is_lifted)
-      return !constraint.faces_outward(mesh_, facets_);
+      return !constraint.faces_outward(mesh_, facets_, x);
     for (std::size_t k = 0; k < facets_.size(); ++k)
-      if (dot(mesh_.normal_of(facets_[k]), normals_[k]) < 0)
+      if (dot(mesh_.normal_of(facets_[k], node, x), normals_[k]) < 0)
         return true;
     return false;
   }

@@ -36,8 +36,10 @@ namespace Breakwater
 
   private:
     bool improve(unsigned int node, double wanted, VolumeBudget *budget);
-    /// True if a facet of the boundary is turned over: against the area vector or, when lifted, against what it was.
-    bool turns_facet(const typename StarMesh<dim>::Constraint &constraint, bool is_lifted) const;
+    /// True if a facet of the boundary is turned over with the node at x: against the area vector or, when lifted,
+    /// against what it was.
+    bool turns_facet(unsigned int node, const Vec<dim> &x, const typename StarMesh<dim>::Constraint &constraint,
+                     bool is_lifted) const;
 
     /// r of the cells of the star with the node at x. @return false as soon as one is not larger than `least`
     bool evaluate(unsigned int node, const Vec<dim> &x, double least);

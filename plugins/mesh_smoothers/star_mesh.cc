@@ -23,6 +23,7 @@ namespace Breakwater
     , inverse_radius_(1. / reference_insphere_radius<dim>(task.spacing))
     , r_(mesh.cells.size())
     , rows_(position.size())
+    , changed_at_(position.size(), 0)
     , is_on_boundary_(position.size(), 0)
   {
     constexpr unsigned int spare = 6; // entries of each row for cells that come by flips
@@ -40,6 +41,8 @@ namespace Breakwater
     for (unsigned int c = 0; c < mesh.cells.size(); ++c)
       {
         r_[c] = quality(corners_of(c));
+        if (r_[c] < task.target)
+          bad_.push_back(c);
         for (const unsigned int node : mesh.cells[c])
           {
             Row &row                         = rows_[node];
@@ -56,12 +59,13 @@ namespace Breakwater
   std::vector<unsigned int> StarMesh<dim>::bad_cells() const
   {
     std::vector<unsigned int> bad;
-    for (unsigned int c = 0; c < n_cells(); ++c)
-      if (is_alive(c) && r_[c] < target())
-        bad.push_back(c);
+    std::copy_if(bad_.begin(), bad_.end(), std::back_inserter(bad), [this](const unsigned int c) {
+      return r_[c] < target();
+    });
     std::sort(bad.begin(), bad.end(), [this](const unsigned int a, const unsigned int b) {
       return r_[a] < r_[b] || (r_[a] == r_[b] && a < b);
     });
+    bad.erase(std::unique(bad.begin(), bad.end()), bad.end());
     return bad;
   }
 
@@ -91,9 +95,23 @@ namespace Breakwater
   void StarMesh<dim>::move(const unsigned int node, const Vec<dim> &x, const std::vector<double> &r)
   {
     position_[node] = x;
-    std::size_t k   = 0;
+    ++clock_;
+    std::size_t k = 0;
     for (const unsigned int c : star(node))
-      r_[c] = r[k++];
+      {
+        r_[c] = r[k++];
+        note_change(c);
+      }
+  }
+
+
+  template <int dim>
+  void StarMesh<dim>::note_change(const unsigned int c)
+  {
+    for (const unsigned int node : mesh_.cells[c])
+      changed_at_[node] = clock_;
+    if (r_[c] < target())
+      bad_.push_back(c);
   }
 
 
@@ -121,6 +139,7 @@ namespace Breakwater
         r_[c] = quality(corners_of(c));
         for (const unsigned int node : cell)
           add_to_star(node, c);
+        note_change(c);
         numbers.push_back(c);
       }
   }
@@ -129,10 +148,12 @@ namespace Breakwater
   template <int dim>
   void StarMesh<dim>::remove(const unsigned int c)
   {
+    r_[c] = std::numeric_limits<double>::infinity();
+    ++clock_;
+    note_change(c);
     for (const unsigned int node : mesh_.cells[c])
       remove_from_star(node, c);
     mesh_.cells[c].fill(0);
-    r_[c] = std::numeric_limits<double>::infinity();
     dead_.push_back(c);
   }
 
@@ -178,42 +199,52 @@ namespace Breakwater
 
 
   template <int dim>
-  Vec<dim> StarMesh<dim>::normal_of(const Facet &facet) const
+  Vec<dim> StarMesh<dim>::normal_of(const Facet &facet, const unsigned int node, const Vec<dim> &x) const
   {
-    const Vec<dim> e = position(facet[1]) - position(facet[0]);
+    const auto place = [&](const unsigned int other) {
+      return other == node ? x : position(other);
+    };
+    const Vec<dim> e = place(facet[1]) - place(facet[0]);
     if constexpr (dim == 2)
       return {{e[1], -e[0]}};
     else
-      return cross(e, position(facet[2]) - position(facet[0]));
+      return cross(e, place(facet[2]) - place(facet[0]));
   }
 
 
   template <int dim>
   void StarMesh<dim>::boundary_facets(const unsigned int node, std::vector<Facet> &facets) const
   {
-    // A facet that two cells have cancels; the key is the same for both.
-    std::vector<std::pair<Facet, Facet>> found;
+    facets.clear();
     for (const unsigned int c : star(node))
       for (int a = 0; a <= dim; ++a)
-        if (mesh_.cells[c][a] != node)
-          {
-            const Facet facet = outward_facet<dim>(mesh_.cells[c], a);
-            Facet       key   = facet;
-            std::sort(key.begin(), key.end());
-            found.emplace_back(key, facet);
-          }
-    std::sort(found.begin(), found.end());
-    facets.clear();
-    for (std::size_t k = 0; k < found.size(); ++k)
-      if (k + 1 < found.size() && found[k].first == found[k + 1].first)
-        ++k;
-      else
-        facets.push_back(found[k].second);
+        {
+          if (mesh_.cells[c][a] == node)
+            continue;
+          const Facet facet    = outward_facet<dim>(mesh_.cells[c], a);
+          const bool  is_inner = std::any_of(facet.begin(), facet.end(), [this](const unsigned int other) {
+            return !is_on_boundary_[other];
+          });
+          if (is_inner)
+            continue;
+          // A facet that two cells have cancels.
+          const auto same = std::find_if(facets.begin(), facets.end(), [&facet](const Facet &other) {
+            return std::is_permutation(facet.begin(), facet.end(), other.begin());
+          });
+          if (same == facets.end())
+            facets.push_back(facet);
+          else
+            {
+              *same = facets.back();
+              facets.pop_back();
+            }
+        }
   }
 
 
   template <int dim>
   StarMesh<dim>::Constraint::Constraint(const StarMesh &mesh, const unsigned int node, const bool keeps_volume)
+    : node_(node)
   {
     const NodeFreedom freedom = mesh.freedom(node);
     is_fixed_                 = freedom == NodeFreedom::fixed || (keeps_volume && freedom == NodeFreedom::ends_on_edge);
@@ -292,10 +323,11 @@ namespace Breakwater
 
 
   template <int dim>
-  bool StarMesh<dim>::Constraint::faces_outward(const StarMesh &mesh, const std::vector<Facet> &facets) const
+  bool StarMesh<dim>::Constraint::faces_outward(const StarMesh &mesh, const std::vector<Facet> &facets,
+                                                const Vec<dim> &x) const
   {
     return std::all_of(facets.begin(), facets.end(), [&](const Facet &facet) {
-      return dot(mesh.normal_of(facet), area_) >= 0;
+      return dot(mesh.normal_of(facet, node_, x), area_) >= 0;
     });
   }
 
@@ -337,7 +369,7 @@ namespace Breakwater
     if (is_good && slides(freedom(node)))
       {
         boundary_facets(node, facets_);
-        is_good = constraint.faces_outward(*this, facets_);
+        is_good = constraint.faces_outward(*this, facets_, position_[node]);
       }
     if (is_good)
       move(node, position_[node], new_r_);

@@ -65,6 +65,12 @@ namespace Breakwater
     /// The smallest r of a star.
     double smallest(const unsigned int node) const;
 
+    /// Counts the changes of the mesh so far.
+    unsigned int clock() const { return clock_; }
+
+    /// When a cell of a node's star was last changed, by that clock.
+    unsigned int changed_at(const unsigned int node) const { return changed_at_[node]; }
+
     /// Puts a node elsewhere.
     /// @param r of the cells of its star there, in their order
     void move(unsigned int node, const Vec<dim> &x, const std::vector<double> &r);
@@ -108,12 +114,13 @@ namespace Breakwater
         return vector - across_[0] * dot(across_[0], vector) - across_[1] * dot(across_[1], vector);
       }
 
-      /// True if all these facets of the boundary lie the same way up as the area vector has them.
-      bool faces_outward(const StarMesh &mesh, const std::vector<Facet> &facets) const;
+      /// True if all these facets of the boundary lie the same way up as the area vector with the node at x.
+      bool faces_outward(const StarMesh &mesh, const std::vector<Facet> &facets, const Vec<dim> &x) const;
 
     private:
       void set_direction(const Vec<dim> &direction); ///< the only one that a node can move along
 
+      unsigned int node_;
       bool     is_fixed_;
       Vec<dim> area_;      ///< zero inside
       Vec<dim> across_[2]; ///< orthogonal to each other, unit length or zero
@@ -125,8 +132,8 @@ namespace Breakwater
     /// Area vector of a node, dV/dx [m^(dim - 1)]: it depends on its neighbours only.
     Vec<dim> area_vector(unsigned int node) const;
 
-    /// A normal of a facet of the boundary, out of the mesh, not of unit length.
-    Vec<dim> normal_of(const Facet &facet) const;
+    /// The normal of a facet of the boundary with one of its nodes at x, out of the mesh, not of unit length.
+    Vec<dim> normal_of(const Facet &facet, unsigned int node, const Vec<dim> &x) const;
 
     /// The facets of the boundary that have a node, with their normals out of the mesh.
     void boundary_facets(unsigned int node, std::vector<Facet> &facets) const;
@@ -144,6 +151,7 @@ namespace Breakwater
       unsigned int begin = 0, size = 0, capacity = 0;
     };
     void add_to_star(unsigned int node, unsigned int c);
+    void note_change(unsigned int c);
     void remove_from_star(unsigned int node, unsigned int c);
 
     SimplexMesh<dim>           &mesh_;
@@ -155,7 +163,10 @@ namespace Breakwater
     std::vector<Row>            rows_;
     std::vector<unsigned int>   entries_;
     std::vector<unsigned int>   dead_;
-    std::vector<char>           is_on_boundary_;
+    std::vector<unsigned int>   bad_; ///< all cells below the target, and some that are no longer
+    std::vector<unsigned int>   changed_at_;
+    unsigned int                clock_ = 0;
+    std::vector<char>           is_on_boundary_; ///< true for all nodes of the boundary, also of what has been bared
     std::vector<double>         new_r_;  ///< of a star, in try_move()
     std::vector<Facet>          facets_; ///< of the boundary, in try_move()
   };
