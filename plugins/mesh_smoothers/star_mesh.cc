@@ -221,16 +221,19 @@ namespace Breakwater
         {
           if (mesh_.cells[c][a] == node)
             continue;
-          const Facet facet    = outward_facet<dim>(mesh_.cells[c], a);
-          const bool  is_inner = std::any_of(facet.begin(), facet.end(), [this](const unsigned int other) {
+          Facet      facet    = outward_facet<dim>(mesh_.cells[c], a);
+          const bool is_inner = std::any_of(facet.begin(), facet.end(), [this](const unsigned int other) {
             return !is_on_boundary_[other];
           });
           if (is_inner)
             continue;
-          // A facet that two cells have cancels.
-          const auto same = std::find_if(facets.begin(), facets.end(), [&facet](const Facet &other) {
-            return std::is_permutation(facet.begin(), facet.end(), other.begin());
-          });
+          if constexpr (dim == 3)
+            while (facet[2] != node)
+              facet = {{facet[1], facet[2], facet[0]}};
+          // A facet that two cells have cancels: the other has it the other way round.
+          Facet opposite = facet;
+          std::swap(opposite[0], opposite[1]);
+          const auto same = std::find(facets.begin(), facets.end(), opposite);
           if (same == facets.end())
             facets.push_back(facet);
           else
