@@ -42,7 +42,7 @@ namespace Breakwater
           {
           }
         peel_.finish(report_);
-        report_.n_lifted_nodes = node_step_.n_lifted();
+        report_.n_lifts = node_step_.n_lifts();
         report_.lifted_volume  = node_step_.lifted_volume();
       }
 

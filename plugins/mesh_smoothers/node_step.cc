@@ -119,7 +119,7 @@ namespace Breakwater
         const double change = dot(constraint.area(), mesh_.position(node) - start);
         budget->spend(change);
         lifted_volume_ += change;
-        ++n_lifted_;
+        ++n_lifts_;
       }
     return has_moved;
   }

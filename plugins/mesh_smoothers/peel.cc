@@ -104,16 +104,21 @@ namespace Breakwater
   template <int dim>
   bool Peel<dim>::try_cell(const unsigned int c, const Limits &limits)
   {
-    constexpr double largest_height = 0.35, thickest_film = 0.05;
-    const auto       cell = mesh_.cell(c);
+    constexpr double largest_height = 0.35;
+    const double     thickest_film  = limits.may_bare_walls ? 0.15 : 0.05;
+    const auto       cell           = mesh_.cell(c);
+    const bool       is_film        = height(c) <= thickest_film * mesh_.spacing();
+    unsigned int     n_inner        = 0;
     for (const unsigned int node : cell)
-      if (!mesh_.is_on_boundary(node) || mesh_.star(node).size() < 2)
-        return false;
-    if (height(c) > largest_height * mesh_.spacing() ||
+      {
+        n_inner += !mesh_.is_on_boundary(node);
+        if (mesh_.star(node).size() < 2)
+          return false;
+      }
+    if (n_inner > (limits.may_bare_walls && is_film ? 1 : 0) || height(c) > largest_height * mesh_.spacing() ||
         !budget_.allows(-signed_volume(mesh_.corners_of(c)), limits.part))
       return false;
 
-    const bool         is_film = height(c) <= thickest_film * mesh_.spacing();
     std::vector<Facet> opened, closed;
     sort_facets(c, opened, closed);
     const bool may_open_all = std::all_of(closed.begin(), closed.end(), [&](const Facet &facet) {
@@ -135,7 +140,7 @@ namespace Breakwater
       return mesh_.star(node).size() == 1;
     };
     for (const unsigned int node : cell)
-      if (!is_on_surface(mesh_.freedom(node)))
+      if (!mesh_.was_on_surface(node))
         return false;
     const unsigned int n_last = std::count_if(cell.begin(), cell.end(), is_last);
     const double       change = n_last == dim + 1 ? 0. : -signed_volume(mesh_.corners_of(c));
@@ -169,6 +174,9 @@ namespace Breakwater
   {
     ++n_cells_;
     volume_ += signed_volume(mesh_.corners_of(c));
+    for (const unsigned int node : mesh_.cell(c))
+      if (!mesh_.is_on_boundary(node))
+        mesh_.expose(node);
     mesh_.remove(c);
     opened_.insert(opened_.end(), opened.begin(), opened.end());
     closed_.insert(closed_.end(), closed.begin(), closed.end());

@@ -14,7 +14,8 @@ namespace Breakwater
   /// that slides on the surface or lies between nodes on the line where surface and wall meet, it is flat (height
   /// 3 V / A_max at most 0.35 h; in 2D 2 A / longest edge), no node loses its last cell, and the mesh's volume, with
   /// what lifted nodes add, changes by no more than a part. Films against a wall, at most 0.05 h high, go as long as
-  /// interfaces stay closed.
+  /// interfaces stay closed. Where walls may be bared, films go up to a height of 0.15 h, also those that lie over one
+  /// inner node: what is shut in between a wall and nodes that have come down to it is cured by nothing else.
   template <int dim>
   class Peel
   {
@@ -30,7 +31,8 @@ namespace Breakwater
     struct Limits
     {
       double part           = 1;     ///< of the budget that may be spent
-      bool   may_bare_walls = false; ///< whether a facet at a wall may open that has one node on the surface
+      bool   may_bare_walls = false; ///< whether a facet at a wall may open that has one node on the surface,
+                                    ///< and films of more height
     };
 
     /// @return whether the cell was taken away

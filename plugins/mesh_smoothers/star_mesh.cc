@@ -20,6 +20,7 @@ namespace Breakwater
     , position_(position)
     , start_(position)
     , task_(task)
+    , freedom_(task.freedom)
     , inverse_radius_(1. / reference_insphere_radius<dim>(task.spacing))
     , r_(mesh.cells.size())
     , rows_(position.size())

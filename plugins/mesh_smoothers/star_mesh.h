@@ -25,7 +25,7 @@ namespace Breakwater
     double                       r(const unsigned int c) const { return r_[c]; }
     const Vec<dim>              &position(const unsigned int node) const { return position_[node]; }
     const std::vector<Vec<dim>> &positions() const { return position_; }
-    NodeFreedom                  freedom(const unsigned int node) const { return task_.freedom[node]; }
+    NodeFreedom                  freedom(const unsigned int node) const { return freedom_[node]; }
     double                       spacing() const { return task_.spacing; }
     double                       target() const { return task_.target; }
 
@@ -96,6 +96,16 @@ namespace Breakwater
     /// Takes a cell away.
     void remove(unsigned int c);
 
+    /// Makes an inner node one of the surface, where cells that have covered it are taken away.
+    void expose(const unsigned int node)
+    {
+      freedom_[node]        = NodeFreedom::slides_on_surface;
+      is_on_boundary_[node] = 1;
+    }
+
+    /// False for inner nodes that have been exposed since.
+    bool was_on_surface(const unsigned int node) const { return Breakwater::is_on_surface(task_.freedom[node]); }
+
     /// Takes the part out of a vector that a node can't move along: nothing inside, the component along its area vector
     /// on the boundary, that along the wall's normal as well, all but that along an edge, all if it is fixed. A node of
     /// the free surface that need not keep the volume is kept by its wall or edge only.
@@ -158,6 +168,7 @@ namespace Breakwater
     std::vector<Vec<dim>>      &position_;
     const std::vector<Vec<dim>> start_; ///< places before all moves [m]
     const SmoothingTask<dim>   &task_;
+    std::vector<NodeFreedom>    freedom_;
     const double                inverse_radius_; ///< [1/m]
     std::vector<double>         r_;
     std::vector<Row>            rows_;

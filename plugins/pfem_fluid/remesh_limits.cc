@@ -99,7 +99,7 @@ namespace Breakwater
                {"smoothing flips [-]", static_cast<double>(record.smoothing.n_flips)},
                {"peeled cells [-]", static_cast<double>(record.smoothing.n_peeled_cells)},
                {"nodes freed by peeling [-]", static_cast<double>(record.smoothing.n_freed_nodes)},
-               {"lifted nodes [-]", static_cast<double>(record.smoothing.n_lifted_nodes)},
+               {"lifts of surface nodes [-]", static_cast<double>(record.smoothing.n_lifts)},
                {"smoothing volume change [m^" + std::to_string(dim) + "]", record.smoothing.volume_change},
                {"smoothing over triangulation [-]", record.smoothing.seconds / record.triangulation_seconds},
                {"new triangulation [-]", static_cast<double>(record.triangulation.is_full)},

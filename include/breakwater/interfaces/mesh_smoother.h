@@ -58,7 +58,7 @@ namespace Breakwater
     unsigned int n_flips        = 0; ///< of edges
     unsigned int n_peeled_cells = 0; ///< taken off the surface
     unsigned int n_freed_nodes  = 0; ///< that have lost their cells so
-    unsigned int n_lifted_nodes = 0; ///< moves of nodes of the surface that have changed the volume
+    unsigned int n_lifts        = 0; ///< moves of nodes of the surface that have changed the volume
     double       mean_move      = 0; ///< of the moved nodes [m]
     double       largest_move   = 0; ///< [m]
     double       peeled_volume  = 0; ///< of the peeled cells [m^dim]
@@ -72,7 +72,7 @@ namespace Breakwater
       n_flips += other.n_flips;
       n_peeled_cells += other.n_peeled_cells;
       n_freed_nodes += other.n_freed_nodes;
-      n_lifted_nodes += other.n_lifted_nodes;
+      n_lifts += other.n_lifts;
       peeled_volume += other.peeled_volume;
       lifted_volume += other.lifted_volume;
       volume_change += other.volume_change;

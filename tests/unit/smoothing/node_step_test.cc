@@ -88,7 +88,7 @@ namespace
         EXPECT_NEAR(volume_of(mesh), volume + step.lifted_volume(), 1e-14);
         EXPECT_LE(step.lifted_volume(), allowed);
         EXPECT_LE(norm(mesh.position[0] - Vec<3>{{0, 0, -0.9}}), 0.5 + 1e-12);
-        EXPECT_EQ(step.n_lifted(), allowed > 0 ? 1u : 0u);
+        EXPECT_EQ(step.n_lifts(), allowed > 0 ? 1u : 0u);
         const double gain = mesh.smallest_r() / before;
         EXPECT_TRUE(allowed > 1 ? gain > 2 : gain < 2) << gain;
       }
