@@ -26,7 +26,7 @@ namespace Breakwater
     if (peel.worst_first())
       smooth_by_transformations(work, getme_);
     peel.finish(report);
-    work.finish();
+    work.finish(report);
   }
 
   template class ElasticAnalogyThenGetme<2>;

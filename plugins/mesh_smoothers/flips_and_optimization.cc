@@ -30,6 +30,9 @@ namespace Breakwater
 
       void run(const unsigned int n_passes)
       {
+        std::fill(moved_in_vain_.begin(), moved_in_vain_.end(), never);
+        std::fill(lifted_in_vain_.begin(), lifted_in_vain_.end(), never);
+        tried_.clear();
         const unsigned int n_cells = mesh_.n_cells();
         for (unsigned int c = 0; c < n_cells; ++c)
           if (is_bad(c))
@@ -41,9 +44,13 @@ namespace Breakwater
         for (unsigned int pass = 0; pass < n_passes && change_surface(); ++pass)
           {
           }
+      }
+
+      void finish()
+      {
         peel_.finish(report_);
-        report_.n_lifts = node_step_.n_lifts();
-        report_.lifted_volume  = node_step_.lifted_volume();
+        report_.n_lifts       = node_step_.n_lifts();
+        report_.lifted_volume = node_step_.lifted_volume();
       }
 
       /// True if no cell is left for which the surface may change.
@@ -52,8 +59,6 @@ namespace Breakwater
         const std::vector<unsigned int> bad = mesh_.bad_cells();
         return bad.empty() || mesh_.r(bad.front()) >= wanted_at_least();
       }
-
-      const VolumeBudget &budget() const { return peel_.budget(); }
 
     private:
       /// What is below this may have a surface that is a little other.
@@ -125,10 +130,7 @@ namespace Breakwater
         return has_moved;
       }
 
-      bool peel(const unsigned int c, const typename Peel<dim>::Limits &limits)
-      {
-        return peel_.try_cell(c, limits);
-      }
+      bool peel(const unsigned int c, const typename Peel<dim>::Limits &limits) { return peel_.try_cell(c, limits); }
 
       bool move_nodes(const unsigned int c)
       {
@@ -177,15 +179,15 @@ namespace Breakwater
         return has_moved;
       }
 
-      StarMesh<dim>            &mesh_;
-      Flips<dim>                flips_;
-      NodeStep<dim>             node_step_;
-      Peel<dim>                 peel_;
-      SmoothingReport          &report_;
+      StarMesh<dim>   &mesh_;
+      Flips<dim>       flips_;
+      NodeStep<dim>    node_step_;
+      Peel<dim>        peel_;
+      SmoothingReport &report_;
 
       static constexpr unsigned int never = std::numeric_limits<unsigned int>::max();
       // By the clock of the mesh.
-      std::vector<unsigned int> tried_;                           ///< when a cell was last tried
+      std::vector<unsigned int> tried_;                          ///< when a cell was last tried
       std::vector<unsigned int> moved_in_vain_, lifted_in_vain_; ///< when no step helped a node
     };
   } // namespace
@@ -206,22 +208,17 @@ namespace Breakwater
   void FlipsAndOptimization<dim>::improve(SimplexMesh<dim> &mesh, std::vector<Vec<dim>> &position,
                                           const SmoothingTask<dim> &task, SmoothingReport &report)
   {
-    // Where cells are still bad, once more: from the places reached, and with what is left of the largest peel.
-    VolumeBudget budget(0);
-    bool         is_good = false;
-    for (unsigned int round = 0; round < 2 && !is_good; ++round)
+    StarMesh<dim> work(mesh, position, task);
+    Repair<dim>   repair(work, VolumeBudget(largest_peel_ * work.volume()), report);
+    repair.run(n_passes_);
+    if (!repair.is_good())
       {
-        StarMesh<dim> work(mesh, position, task);
-        if (round == 0)
-          budget = VolumeBudget(largest_peel_ * work.volume());
-        SmoothingReport one;
-        Repair<dim>     repair(work, budget, one);
+        // Once more, from the places reached, and with what is left of the largest peel.
+        work.restart();
         repair.run(n_passes_);
-        is_good = repair.is_good();
-        budget  = repair.budget();
-        work.finish();
-        report.add(one);
       }
+    repair.finish();
+    work.finish(report);
   }
 
   template class FlipsAndOptimization<2>;

@@ -34,10 +34,11 @@ namespace Breakwater
 
   protected:
     void improve(SimplexMesh<dim> &mesh, std::vector<Vec<dim>> &position, const SmoothingTask<dim> &task,
-                 SmoothingReport &) override
+                 SmoothingReport &report) override
     {
       StarMesh<dim> work(mesh, position, task);
       smooth_by_transformations(work, control_);
+      work.finish(report);
     }
 
   private:

@@ -52,7 +52,7 @@ namespace Breakwater
     std::vector<Vec<dim>>                         gradient_; ///< of r by the node's place in units of the spacing [-]
     std::vector<typename SimplexMesh<dim>::Facet> facets_;
     std::vector<Vec<dim>>                         normals_; ///< of these facets before the moves
-    unsigned int                                  n_lifts_      = 0;
+    unsigned int                                  n_lifts_       = 0;
     double                                        lifted_volume_ = 0;
   };
 } // namespace Breakwater

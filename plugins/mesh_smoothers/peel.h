@@ -32,7 +32,7 @@ namespace Breakwater
     {
       double part           = 1;     ///< of the budget that may be spent
       bool   may_bare_walls = false; ///< whether a facet at a wall may open that has one node on the surface,
-                                    ///< and films of more height
+                                     ///< and films of more height
     };
 
     /// @return whether the cell was taken away
@@ -42,8 +42,7 @@ namespace Breakwater
     /// budget it takes nothing where it hangs together with no other cell. @return whether the cell was taken away
     bool free_nodes(unsigned int cell);
 
-    VolumeBudget       &budget() { return budget_; }
-    const VolumeBudget &budget() const { return budget_; }
+    VolumeBudget &budget() { return budget_; }
 
     /// Tries all bad cells, the worst first. @return whether one was taken away
     bool worst_first();

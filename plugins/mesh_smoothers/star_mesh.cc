@@ -9,7 +9,8 @@ namespace Breakwater
   namespace
   {
     /// Sines of angles that are none: between directions, and between a wall and facets of nodes that lie on it but for
-    /// a twentieth of the spacing. A node on such facets keeps the volume as exactly as the facets lie on the wall.
+    /// a twentieth of the spacing. A node on such facets keeps the volume as exactly as the facets lie on the wall: what it
+    /// changes is reported.
     constexpr double small_sine = 1e-3, small_tilt = 0.2;
   } // namespace
 
@@ -95,6 +96,10 @@ namespace Breakwater
   template <int dim>
   void StarMesh<dim>::move(const unsigned int node, const Vec<dim> &x, const std::vector<double> &r)
   {
+    const bool slides_on_walls =
+      freedom(node) == NodeFreedom::slides_on_wall || freedom(node) == NodeFreedom::slides_on_edge;
+    if (slides_on_walls && !is_at_surface(node))
+      slid_volume_ += dot(area_vector(node), x - position_[node]);
     position_[node] = x;
     ++clock_;
     std::size_t k = 0;
@@ -337,8 +342,9 @@ namespace Breakwater
 
 
   template <int dim>
-  void StarMesh<dim>::finish()
+  void StarMesh<dim>::finish(SmoothingReport &report)
   {
+    report.slid_volume = slid_volume_;
     if (dead_.empty())
       return;
     auto &cells = mesh_.cells;
@@ -375,10 +381,10 @@ namespace Breakwater
         boundary_facets(node, facets_);
         is_good = constraint.faces_outward(*this, facets_, position_[node]);
       }
+    const Vec<dim> x = position_[node];
+    position_[node]  = before;
     if (is_good)
-      move(node, position_[node], new_r_);
-    else
-      position_[node] = before;
+      move(node, x, new_r_);
     return is_good;
   }
 

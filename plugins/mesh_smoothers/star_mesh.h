@@ -17,7 +17,7 @@ namespace Breakwater
     using Cell  = typename SimplexMesh<dim>::Cell;
     using Facet = typename SimplexMesh<dim>::Facet;
 
-    /// Works on the mesh and the positions in place; finish() must be called when cells have been replaced.
+    /// Works on the mesh and the positions in place; finish() must be called at the end.
     StarMesh(SimplexMesh<dim> &mesh, std::vector<Vec<dim>> &position, const SmoothingTask<dim> &task);
 
     std::size_t                  n_cells() const { return mesh_.cells.size(); }
@@ -96,10 +96,11 @@ namespace Breakwater
     /// Takes a cell away.
     void remove(unsigned int c);
 
-    /// Makes an inner node one of the surface, where cells that have covered it are taken away.
+    /// Makes an inner node one of the boundary, where cells that have covered it are taken away.
     void expose(const unsigned int node)
     {
-      freedom_[node]        = NodeFreedom::slides_on_surface;
+      if (freedom_[node] == NodeFreedom::free) // else its wall holds it
+        freedom_[node] = NodeFreedom::slides_on_surface;
       is_on_boundary_[node] = 1;
     }
 
@@ -131,9 +132,9 @@ namespace Breakwater
       void set_direction(const Vec<dim> &direction); ///< the only one that a node can move along
 
       unsigned int node_;
-      bool     is_fixed_;
-      Vec<dim> area_;      ///< zero inside
-      Vec<dim> across_[2]; ///< orthogonal to each other, unit length or zero
+      bool         is_fixed_;
+      Vec<dim>     area_;      ///< zero inside
+      Vec<dim>     across_[2]; ///< orthogonal to each other, unit length or zero
     };
 
     /// True on the free surface, and where a wall or edge has been bared beside a node: its area vector tells.
@@ -152,8 +153,11 @@ namespace Breakwater
 
     SimplexMesh<dim> &mesh() { return mesh_; }
 
-    /// Takes dead cells out of the mesh.
-    void finish();
+    /// Nodes may go as far from their present places as they could from the first ones.
+    void restart() { start_ = position_; }
+
+    /// Takes dead cells out of the mesh, and reports what sliding nodes have changed of its volume.
+    void finish(SmoothingReport &report);
 
   private:
     struct Row
@@ -164,21 +168,22 @@ namespace Breakwater
     void note_change(unsigned int c);
     void remove_from_star(unsigned int node, unsigned int c);
 
-    SimplexMesh<dim>           &mesh_;
-    std::vector<Vec<dim>>      &position_;
-    const std::vector<Vec<dim>> start_; ///< places before all moves [m]
-    const SmoothingTask<dim>   &task_;
-    std::vector<NodeFreedom>    freedom_;
-    const double                inverse_radius_; ///< [1/m]
-    std::vector<double>         r_;
-    std::vector<Row>            rows_;
-    std::vector<unsigned int>   entries_;
-    std::vector<unsigned int>   dead_;
-    std::vector<unsigned int>   bad_; ///< all cells below the target, and some that are no longer
-    std::vector<unsigned int>   changed_at_;
-    unsigned int                clock_ = 0;
-    std::vector<char>           is_on_boundary_; ///< true for all nodes of the boundary, also of what has been bared
-    std::vector<double>         new_r_;  ///< of a star, in try_move()
-    std::vector<Facet>          facets_; ///< of the boundary, in try_move()
+    SimplexMesh<dim>         &mesh_;
+    std::vector<Vec<dim>>    &position_;
+    std::vector<Vec<dim>>     start_; ///< places before all moves, or at the last restart() [m]
+    const SmoothingTask<dim> &task_;
+    std::vector<NodeFreedom>  freedom_;
+    const double              inverse_radius_; ///< [1/m]
+    std::vector<double>       r_;
+    std::vector<Row>          rows_;
+    std::vector<unsigned int> entries_;
+    std::vector<unsigned int> dead_;
+    std::vector<unsigned int> bad_; ///< all cells below the target, and some that are no longer
+    std::vector<unsigned int> changed_at_;
+    unsigned int              clock_       = 0;
+    double                    slid_volume_ = 0; ///< [m^dim]
+    std::vector<char>         is_on_boundary_;  ///< true for all nodes of the boundary, also of what has been bared
+    std::vector<double>       new_r_;           ///< of a star, in try_move()
+    std::vector<Facet>        facets_;          ///< of the boundary, in try_move()
   };
 } // namespace Breakwater

@@ -186,7 +186,7 @@ namespace Breakwater
       return "a facet between fixed nodes has been opened";
 
     const double volume = volume_of(mesh_before, before), new_volume = volume_of(mesh_after, after);
-    const double unexplained = new_volume + report.peeled_volume - report.lifted_volume - volume;
+    const double unexplained = new_volume + report.peeled_volume - report.lifted_volume - report.slid_volume - volume;
     if (!(std::abs(unexplained) <= 1e-12 * volume))
       return "the volume has changed from " + std::to_string(volume) + " by " + std::to_string(unexplained / volume) +
              " of it";

@@ -63,8 +63,10 @@ namespace Breakwater
     double       largest_move   = 0; ///< [m]
     double       peeled_volume  = 0; ///< of the peeled cells [m^dim]
     double       lifted_volume  = 0; ///< what those moves have added [m^dim]
-    double       volume_change  = 0; ///< of the mesh [m^dim]
-    double       seconds        = 0; ///< CPU time
+    double       slid_volume = 0; ///< what nodes have added that slide on walls, as the walls' other nodes lie a little
+                                  ///< off them [m^dim]
+    double volume_change = 0;     ///< of the mesh [m^dim]
+    double seconds       = 0;     ///< CPU time
 
     /// Adds what a further smoother did, but for the moves, which do not add up: see measure_moves().
     void add(const SmoothingReport &other)
@@ -75,6 +77,7 @@ namespace Breakwater
       n_lifts += other.n_lifts;
       peeled_volume += other.peeled_volume;
       lifted_volume += other.lifted_volume;
+      slid_volume += other.slid_volume;
       volume_change += other.volume_change;
       seconds += other.seconds;
     }

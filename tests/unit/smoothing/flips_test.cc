@@ -38,17 +38,17 @@ namespace
       {
         const TestMesh<3> before = ring(n);
         TestMesh<3>       mesh   = before;
+        SmoothingReport   report;
         {
           const auto  task = mesh.task(0.9);
           StarMesh<3> work(mesh.mesh, mesh.position, task);
           Flips<3>    flips(work);
           EXPECT_EQ(flips.improve(0), 1u);
-          work.finish();
+          work.finish(report);
         }
         EXPECT_EQ(mesh.mesh.cells.size(), 2 * (n - 2));
         EXPECT_LT(before.smallest_r(), 0.15);
         EXPECT_GT(mesh.smallest_r(), 0.3);
-        SmoothingReport report;
         EXPECT_EQ(smoothing_violation(before.mesh, before.position, mesh.mesh, mesh.position, before.task(0.9), report),
                   "");
       }
@@ -80,7 +80,8 @@ namespace
     const auto   task   = mesh.task(0.9);
     StarMesh<2>  work(mesh.mesh, mesh.position, task);
     EXPECT_EQ(Flips<2>(work).improve(0), 1u);
-    work.finish();
+    SmoothingReport report;
+    work.finish(report);
     EXPECT_GT(mesh.smallest_r(), 1.2 * before);
     EXPECT_EQ(mesh.mesh.cells.size(), 2u);
   }

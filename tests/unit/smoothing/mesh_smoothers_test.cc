@@ -117,6 +117,56 @@ namespace
     EXPECT_GT(n_fixed, 0u) << "where the edge is bared, to keep the volume";
   }
 
+  // What a cell at a wall shuts in comes to the surface if nothing else helps.
+  TEST(Peel, TakesAFilmOverAnInnerNodeAtAWallAsALastResort)
+  {
+    Random      random(2);
+    auto        position = jittered_lattice<3>(5, 0.1, random);
+    const auto  low      = position.size();
+    TestMesh<3> mesh;
+    position.push_back({{2.4, 2.4, 0.25}});
+    mesh                     = mesh_of_cloud<3>(position);
+    const TestMesh<3> before = mesh;
+    SmoothingReport   report;
+
+    const SmoothingTask<3> task = {mesh.freedom, mesh.wall_normal, 2., 0.6};
+    StarMesh<3>            work(mesh.mesh, mesh.position, task);
+    Peel<3>                peel(work, VolumeBudget(1.));
+    EXPECT_EQ(work.freedom(low), NodeFreedom::free);
+    unsigned int film = work.n_cells();
+    for (const unsigned int c : work.star(low))
+      if (std::count_if(work.cell(c).begin(), work.cell(c).end(), [&](const unsigned int node) {
+            return mesh.freedom[node] == NodeFreedom::slides_on_wall;
+          }) == 3)
+        film = c;
+    ASSERT_LT(film, work.n_cells());
+    EXPECT_FALSE(peel.try_cell(film, {1., false}));
+    EXPECT_TRUE(peel.try_cell(film, {1., true}));
+    EXPECT_EQ(work.freedom(low), NodeFreedom::slides_on_surface);
+    peel.finish(report);
+    work.finish(report);
+    EXPECT_EQ(report.n_peeled_cells, 1u);
+    EXPECT_EQ(smoothing_violation(before.mesh, before.position, mesh.mesh, mesh.position, before.task(0.6), report),
+              "");
+  }
+
+  // Nodes of a wall lie on it but for a little: what sliding over them changes is told.
+  TEST(StarMesh, TellsWhatNodesOfAnUnevenWallChangeOfTheVolume)
+  {
+    Random       random(2);
+    TestMesh<3>  mesh  = mesh_of_cloud<3>(jittered_lattice<3>(5, 0.2, random));
+    unsigned int n_all = 0;
+    for (std::size_t i = 0; i < mesh.position.size(); ++i)
+      if (mesh.freedom[i] == NodeFreedom::slides_on_wall)
+        mesh.position[i][2] = 0.05 * random(), ++n_all;
+    const TestMesh<3> before = mesh;
+    ASSERT_GT(n_all, 0u);
+    const auto report = FlipsAndOptimization<3>().smooth(mesh.mesh, mesh.position, before.task(0.8));
+    EXPECT_NE(report.slid_volume, 0.);
+    EXPECT_EQ(smoothing_violation(before.mesh, before.position, mesh.mesh, mesh.position, before.task(0.8), report),
+              "");
+  }
+
   /// Smallest r before and after on a block of a jittered lattice, its floor at a wall.
   template <class Smoother, int dim>
   void expect_on_block(const std::string &name, const double target, const double expected)
@@ -186,5 +236,16 @@ namespace
     after = before;
     after.position[before.mesh.boundary[0][0]] += {{0.01, 0.01, 0.01}};
     EXPECT_NE(told(after), "");
+    after = before;
+    const auto on_wall =
+      std::find(before.freedom.begin(), before.freedom.end(), NodeFreedom::slides_on_wall) - before.freedom.begin();
+    after.position[on_wall][2] += 1e-6;
+    EXPECT_EQ(told(after), "node " + std::to_string(on_wall) + " has left its wall");
+    TestMesh<3> emptier = before;
+    while (emptier.mesh.cells.size() > 1)
+      emptier.mesh.cells.pop_back();
+    EXPECT_NE(smoothing_violation(emptier.mesh, before.position, before.mesh, before.position, before.task(0.5), {})
+                .find("which had no cells, has got some"),
+              std::string::npos);
   }
 } // namespace
