@@ -18,21 +18,25 @@ namespace Breakwater
       return longest;
     }
 
-    /// True if a facet between three interface nodes is a needle: they lie in a row on an edge of a bent structure, and
-    /// no place of the fourth node makes the cell a good one. In 2D there are none.
-    template <int dim, class Cell>
-    bool has_needle(const Cell &cell, const Simplex<dim> &x, const std::size_t n_interface)
+    /// True if the facet between three interface nodes is a needle without being the structure's own, slender as that may
+    /// be: they lie in a row on an edge of a bent structure, and no place of the fourth node makes the cell a good one. In
+    /// 2D there are none.
+    template <int dim>
+    bool has_needle(const typename SimplexMesh<dim>::Cell &cell, const Simplex<dim> &x, const std::size_t n_interface,
+                    const AdoptedSurface<dim> &adopted)
     {
-      std::vector<Vec<dim>> corner;
-      for (int a = 0; a <= dim; ++a)
-        if (cell[a] < n_interface)
-          corner.push_back(x[a]);
       if constexpr (dim == 3)
-        if (corner.size() == 3)
-          {
-            const Vec<3> e = corner[1] - corner[0], f = corner[2] - corner[0], g = f - e;
-            return norm(cross(e, f)) < 0.1 * std::max({dot(e, e), dot(f, f), dot(g, g)});
-          }
+        {
+          const auto is_other = [n_interface](const unsigned int node) {
+            return node >= n_interface;
+          };
+          if (std::count_if(cell.begin(), cell.end(), is_other) != 1)
+            return false;
+          const int    other = std::find_if(cell.begin(), cell.end(), is_other) - cell.begin();
+          const Vec<3> a = x[(other + 1) % 4], e = x[(other + 2) % 4] - a, f = x[(other + 3) % 4] - a, g = f - e;
+          return norm(cross(e, f)) < 0.1 * std::max({dot(e, e), dot(f, f), dot(g, g)}) &&
+                 !adopted.has_facet_of(outward_facet<3>(cell, other));
+        }
       return false;
     }
 
@@ -110,7 +114,7 @@ namespace Breakwater
       return false;
     if (are_held && signed_volume(x) < 0.02 * regular_volume<dim>(parameters_.spacing))
       return false;
-    if (has_interface && !parameters_.mesh_smoothers.empty() && has_needle<dim>(cell, x, nodes_.n_interface))
+    if (has_interface && !parameters_.mesh_smoothers.empty() && has_needle<dim>(cell, x, nodes_.n_interface, adopted_))
       return false;
     return !has_interface || adopted_.accepts(cell, nodes_);
   }

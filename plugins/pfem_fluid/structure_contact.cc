@@ -96,6 +96,20 @@ namespace Breakwater
 
 
   template <int dim>
+  bool AdoptedSurface<dim>::has_facet_of(const std::array<unsigned int, dim> &nodes) const
+  {
+    constexpr unsigned int pieces_per_facet = dim == 2 ? 1 : 2;
+    const auto            &pieces           = pieces_of_node_[nodes[0]];
+    return std::any_of(pieces.begin(), pieces.end(), [&](const unsigned int piece) {
+      const auto &facet = surface_.facets[piece / pieces_per_facet];
+      return std::all_of(nodes.begin(), nodes.end(), [&facet](const unsigned int node) {
+        return std::find(facet.begin(), facet.end(), node) != facet.end();
+      });
+    });
+  }
+
+
+  template <int dim>
   bool AdoptedSurface<dim>::nearest(const Vec<dim> &x, const double largest_distance, Foot &foot) const
   {
     double   best  = largest_distance;

@@ -37,6 +37,9 @@ namespace Breakwater
     /// around each interface node of the cell.
     bool accepts(const Cell &cell, const FluidNodes<dim> &nodes) const;
 
+    /// True if a facet of the surfaces has all these nodes.
+    bool has_facet_of(const std::array<unsigned int, dim> &nodes) const;
+
     /// Puts fluid nodes that have come inside the body, or closer to it than `clearance` [m], to that distance, and
     /// takes the normal velocity into it of those that were inside. That momentum is added to `impulse` [kg m/s] at
     /// the interface nodes.
