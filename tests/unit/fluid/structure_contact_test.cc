@@ -148,6 +148,21 @@ namespace
 } // namespace
 
 
+// Facets are quadrilaterals: any three corners, in any order; three nodes in a row on an edge have none.
+TEST(AdoptedSurface, KnowsItsFacets)
+{
+  const AdoptedSurface<3> surface(plate<3>());
+  const auto              node = [&surface](const double y, const double z) {
+    return node_at<3>(surface, {{0, y, z}});
+  };
+  const unsigned int a = node(0.1, 0.1), b = node(0.2, 0.1), c = node(0.2, 0.2), d = node(0.1, 0.2);
+  for (const auto &nodes : std::vector<std::array<unsigned int, 3>>{{a, b, c}, {b, a, d}, {d, c, b}, {a, d, c}})
+    EXPECT_TRUE(surface.has_facet_of(nodes));
+  EXPECT_FALSE(surface.has_facet_of({a, b, node(0.3, 0.1)}));
+  EXPECT_FALSE(surface.has_facet_of({a, c, node(0.3, 0.2)}));
+}
+
+
 TYPED_TEST(Contact, AcceptsCellsInFrontOfTheBody)
 {
   constexpr int             dim = TypeParam::value;
