@@ -108,12 +108,17 @@ namespace
   }
 
   /// Without mpirun, Open MPI would start a daemon for ranks to come: none will, and where the network or /sys are
-  /// missing, as in a container, that takes seconds and prints warnings.
+  /// missing, as in a container, that takes seconds and prints warnings. Processes without the daemon share one
+  /// directory for the session, which each deletes at its end: one that starts just then would find it gone. A process
+  /// alone needs none.
   void prepare_mpi_environment()
   {
     constexpr int keep = 0;
     if (std::getenv("OMPI_COMM_WORLD_SIZE") == nullptr)
-      setenv("OMPI_MCA_ess_singleton_isolated", "1", keep);
+      {
+        setenv("OMPI_MCA_ess_singleton_isolated", "1", keep);
+        setenv("OMPI_MCA_orte_create_session_dirs", "0", keep);
+      }
     setenv("HWLOC_HIDE_ERRORS", "2", keep);
   }
 

@@ -48,8 +48,9 @@ def scene_file(name, *changes):
     return name
 
 
-def run(*arguments, executable=EXECUTABLE, timeout=300):
-    return subprocess.run([executable, *arguments], capture_output=True, text=True, timeout=timeout)
+def run(*arguments, executable=EXECUTABLE, timeout=300, environment=None):
+    return subprocess.run([executable, *arguments], capture_output=True, text=True, timeout=timeout,
+                          env={**os.environ, **(environment or {})})
 
 
 class Failures:

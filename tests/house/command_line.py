@@ -106,6 +106,10 @@ failures.check(not os.path.exists("results/Block-0003.vtu"), "the files of an ea
 expect(0, "Results are in again", "results/parameters.prm", "--output", "again")
 failures.check(open("results/history.csv").read() == open("again/history.csv").read(), "parameters.prm repeats the run")
 
+# No directory for an MPI session: programs that run side by side would delete each other's.
+result = run(scene, "--output", "alone", environment={"TMPDIR": os.path.abspath(scene)})
+failures.check(result.returncode == 0, f"it runs where no temporary directory can be made: {result.stderr}")
+
 # A numerical breakdown: a block torn apart.
 result = run(scene, "--output", "torn", "--set", "Structures/Block/Initial velocity=1e6*x*x, 0")
 failures.check(result.returncode == 2 and "numerical breakdown" in result.stderr,
