@@ -78,6 +78,8 @@ namespace Breakwater
     /// sum over cells of sum_a A_a . u_a / (dim + 1) [m^dim].
     void (*volume_changes)(const unsigned int *cells, std::size_t n_cells, const Quad *xp, const Quad *u,
                            double *change);
+    /// Signed volumes of the cells [m^dim].
+    void (*cell_volumes)(const unsigned int *cells, std::size_t n_cells, const Quad *xp, double *volume);
     /// Insphere radii of the cells [m], signed as their volumes.
     void (*insphere_radii)(const unsigned int *cells, std::size_t n_cells, const Quad *xp, double *radius);
     /// Squares of the lengths of each cell's shortest and longest edge [m^2].

@@ -165,7 +165,7 @@ namespace Breakwater
     visit(adopted_.surface().revision);
     for (const double value :
          {time_, bound_, sound_speed_at_bound_, largest_density_, interface_work_, energy_after_remesh_,
-          spectral_bound_, volume_made_, volume_lost_, far_part_, diffusion_time_})
+          spectral_bound_, volume_made_, volume_lost_, far_part_, diffusion_time_, unsmoothed_bound_})
       visit(value);
     for (const unsigned int value : {n_steps_since_filter_, n_steps_to_check_, n_remeshes_})
       visit(value);
@@ -206,7 +206,7 @@ namespace Breakwater
     visit(adopted_.surface().revision);
     for (double *value :
          {&time_, &bound_, &sound_speed_at_bound_, &largest_density_, &interface_work_, &energy_after_remesh_,
-          &spectral_bound_, &volume_made_, &volume_lost_, &far_part_, &diffusion_time_})
+          &spectral_bound_, &volume_made_, &volume_lost_, &far_part_, &diffusion_time_, &unsmoothed_bound_})
       visit(*value);
     for (unsigned int *value : {&n_steps_since_filter_, &n_steps_to_check_, &n_remeshes_})
       visit(*value);

@@ -118,9 +118,10 @@ namespace Breakwater
         std::vector<double> part(nodes_.n, 0.), turnover(nodes_.n, 0.);
         std::vector<double> cell_weight(cells_.size());
         std::vector<Quad>   request(cells_.size()), received(nodes_.n);
-        for (std::size_t c = 0; c < cells_.size(); ++c)
-          cell_weight[c] = std::abs(signed_volume(nodes_.corners(cells_[c]))) / (2 * (dim + 1));
-        const auto &passes = element_passes<dim>();
+        const auto         &passes = element_passes<dim>();
+        passes.cell_volumes(cells_.front().data(), cells_.size(), nodes_.xp.data(), cell_weight.data());
+        for (double &weight : cell_weight)
+          weight = std::abs(weight) / (2 * (dim + 1));
         passes.exchange_requests(cells_.front().data(), cells_.size(), cell_weight.data(), psi_.data(),
                                  takes_part_.data(), request.data(), part.data(), turnover.data());
         for (std::size_t i = 0; i < nodes_.n; ++i)

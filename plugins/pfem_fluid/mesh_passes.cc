@@ -41,6 +41,20 @@ namespace Breakwater
       }
 
       template <int dim>
+      void cell_volumes(const unsigned int *cells, const std::size_t n_cells, const Quad *xp, double *volume)
+      {
+        for_four_cells<dim>(
+          cells, n_cells, [=](const FourCells<dim> &four) __attribute__((always_inline)) {
+            V4 x[dim + 1][4];
+            for (int a = 0; a <= dim; ++a)
+              four.gather(xp, a, x[a]);
+            const Geometry<dim> geometry(x);
+            for (std::size_t k = 0; k < four.n; ++k)
+              volume[four.first + k] = geometry.volume[k];
+          });
+      }
+
+      template <int dim>
       void insphere_radii(const unsigned int *cells, const std::size_t n_cells, const Quad *xp, double *radius)
       {
         for_four_cells<dim>(
@@ -94,6 +108,7 @@ namespace Breakwater
     void set_mesh_passes(ElementPasses &passes)
     {
       passes.volume_changes = volume_changes<dim>;
+      passes.cell_volumes   = cell_volumes<dim>;
       passes.insphere_radii = insphere_radii<dim>;
       passes.edge_squares   = edge_squares<dim>;
     }

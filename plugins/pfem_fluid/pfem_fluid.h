@@ -218,6 +218,7 @@ namespace Breakwater
     double        volume_made_          = 0; ///< by remeshes since the start [m^dim]
     double        volume_lost_          = 0; ///< by remeshes since the start [m^dim]
     double        spectral_bound_       = 0; ///< Gershgorin's, at the last remesh [s]
+    double        unsmoothed_bound_     = 0; ///< the same before smoothing, when it was last measured [s]
     unsigned int  n_softened_           = 0; ///< nodes, at the last remesh
     unsigned int  n_steps_since_filter_ = 0;
     unsigned int  n_steps_to_check_     = 0; ///< until needs_remeshing() is asked again

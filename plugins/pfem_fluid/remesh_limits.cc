@@ -81,7 +81,7 @@ namespace Breakwater
                {"softened nodes [-]", static_cast<double>(n_softened_)},
                {"insphere bound before smoothing [s]", record.quality_before.smallest_radius / c},
                {"spectral bound before smoothing [s]",
-                parameters_.mesh_smoothers.empty() ? spectral_bound_ : record.spectral_bound_before},
+                parameters_.mesh_smoothers.empty() ? spectral_bound_ : unsmoothed_bound_},
                {"insphere bound [s]", record.quality_after.smallest_radius / c},
                {"spectral bound [s]", spectral_bound_},
                {"bound in use [s]", bound_},

@@ -12,7 +12,6 @@ namespace Breakwater
   struct PfemFluid<dim>::RemeshRecord
   {
     QualityReport                      quality_before, quality_after; ///< smoothing between
-    double                             spectral_bound_before = 0;     ///< smoothing [s]; not computed without
     SmoothingReport                    smoothing;
     typename DelaunayMesh<dim>::Report triangulation;
     double                             correction_scale      = 0; ///< of the position correction, by the energy limiter

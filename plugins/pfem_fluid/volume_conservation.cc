@@ -148,8 +148,8 @@ namespace Breakwater
     }
 
     CorrectionOperator<dim> correction(nodes, cells, walls, reference_density, spacing);
-    std::vector<double>     residual(nodes.n), phi(nodes.n, 0.), direction, image(nodes.n);
-    std::vector<Quad>       u(nodes.n);
+    std::vector<double>     residual(nodes.n), direction, image(nodes.n);
+    std::vector<Quad>       u(nodes.n), sum(nodes.n); // of directions, and of the solution
     for (std::size_t i = 0; i < nodes.n; ++i)
       residual[i] = correction.is_free(i) ? weight * missing[i] : 0.;
     direction   = residual;
@@ -164,7 +164,8 @@ namespace Breakwater
         const double step = norm / curvature;
         for (std::size_t i = 0; i < nodes.n; ++i)
           {
-            phi[i] += step * direction[i];
+            for (int d = 0; d < dim; ++d)
+              sum[i][d] += step * u[i][d];
             residual[i] -= step * image[i];
           }
         const double new_norm = dot(residual, residual);
@@ -172,10 +173,8 @@ namespace Breakwater
           direction[i] = residual[i] + new_norm / norm * direction[i];
         norm = new_norm;
       }
-    correction.displacement(phi, u);
-
     const double largest = 0.1 * spacing;
-    for (Quad &shift : u)
+    for (Quad &shift : sum)
       {
         double length = 0;
         for (int d = 0; d < dim; ++d)
@@ -185,7 +184,7 @@ namespace Breakwater
           for (int d = 0; d < dim; ++d)
             shift[d] *= largest / length;
       }
-    return u;
+    return sum;
   }
 
 

@@ -651,17 +651,19 @@ TYPED_TEST(Passes, VolumeChangesAreThoseOfTheAreaVectors)
 }
 
 
-TYPED_TEST(Passes, RadiiAndEdgesAreThoseOfTheCells)
+TYPED_TEST(Passes, VolumesRadiiAndEdgesAreThoseOfTheCells)
 {
   constexpr int       dim = TypeParam::value;
   const Tangle<dim>   t;
   const std::size_t   n = t.cells().size();
-  std::vector<double> radius(n), shortest(n), longest(n);
+  std::vector<double> volume(n), radius(n), shortest(n), longest(n);
+  element_passes<dim>().cell_volumes(t.cells().front().data(), n, t.x.data(), volume.data());
   element_passes<dim>().insphere_radii(t.cells().front().data(), n, t.x.data(), radius.data());
   element_passes<dim>().edge_squares(t.cells().front().data(), n, t.x.data(), shortest.data(), longest.data());
   for (std::size_t c = 0; c < n; ++c)
     {
       const Simplex<dim> x = t.corners(t.cells()[c]);
+      EXPECT_NEAR(volume[c], signed_volume(x), 1e-13 * regular_volume<dim>(spacing));
       EXPECT_NEAR(radius[c], insphere_radius(x), 1e-13 * spacing);
       double least = 1e300, most = 0;
       for (int a = 1; a <= dim; ++a)
