@@ -72,6 +72,8 @@ namespace Breakwater
       /// the same.
       void note(double value, double allowed);
 
+      double value() const { return value_; } ///< when last measured
+
     private:
       double       value_           = 0; ///< when last measured
       unsigned int n_looks_         = 0; ///< calls of is_due() since then

@@ -75,6 +75,8 @@ namespace Breakwater
     Row row = {{"time [s]", time_},
                {"nodes [-]", static_cast<double>(nodes_.n)},
                {"cells [-]", static_cast<double>(mesh_.cells.size())},
+               {"largest strain [-]", strain_watch_.value() / parameters_.spacing},
+               {"gap closure [-]", gap_watch_.value()},
                {"isolated nodes [-]", static_cast<double>(n_isolated)},
                {"removed nodes [-]", static_cast<double>(record.node_changes.n_removed)},
                {"inserted nodes [-]", static_cast<double>(record.node_changes.n_inserted)},
