@@ -114,24 +114,30 @@ namespace Breakwater
     for (unsigned int i = 0; i < n_nodes_; ++i)
       if ((first[i] != i) == has_cells(i))
         (has_cells(i) ? removed : inserted).push_back(i);
-    if (is_too_much(inserted.size() + removed.size()) || !remove_nodes(removed) || !move_to(position))
+    if (is_too_much(inserted.size() + removed.size()) || !remove_nodes(removed))
       return false;
 
-    flip_all();
-    while (!stuck_.empty())
+    // Where the triangulation is not Delaunay, a node can't always be taken out: those of facets that can't be mended
+    // are taken out in another try, before the motion.
+    constexpr unsigned int    n_tries = 3;
+    const State               before  = {position_, cells_, cell_of_, unused_};
+    std::vector<unsigned int> suspects;
+    bool                      is_mended = false;
+    for (unsigned int k = 0; k < n_tries && !is_mended; ++k)
       {
-        const std::vector<Facet> seeds = stuck_;
-        stuck_.clear();
-        std::size_t n_loosened = 0;
-        for (const Facet &facet : seeds)
-          if (!needs_flip(facet) || loosen(facet))
-            ++n_loosened;
-          else
-            stuck_.push_back(facet);
-        if (4 * n_loosened < seeds.size())
+        if (k > 0)
+          go_back_to(before);
+        for (const unsigned int i : suspects)
+          if (!take_out(i))
+            return false;
+        if (!move_to(position))
           return false;
-        flip_all();
+        is_mended = mend();
+        if (!is_mended)
+          add_nodes_of_stuck_facets(suspects);
       }
+    if (!is_mended)
+      return false;
 
     // The last one first: what was beside it then is there again.
     report_.n_reinserted = taken_out_.size();
@@ -147,6 +153,58 @@ namespace Breakwater
       }
     taken_out_.clear();
     return true;
+  }
+
+
+  template <int dim>
+  bool DelaunayMesh<dim>::mend()
+  {
+    flip_all();
+    while (!stuck_.empty())
+      {
+        const std::vector<Facet> seeds = stuck_;
+        stuck_.clear();
+        std::size_t n_loosened = 0;
+        for (const Facet &facet : seeds)
+          if (!needs_flip(facet) || loosen(facet))
+            ++n_loosened;
+          else
+            stuck_.push_back(facet);
+        if (4 * n_loosened < seeds.size())
+          return false;
+        flip_all();
+      }
+    return true;
+  }
+
+
+  template <int dim>
+  void DelaunayMesh<dim>::add_nodes_of_stuck_facets(std::vector<unsigned int> &nodes) const
+  {
+    for (const Facet &facet : stuck_)
+      {
+        const Cell &cell = cells_[facet.cell];
+        if (cell.neighbor[facet.opposite] == no_cell) // the cell has gone
+          continue;
+        nodes.insert(nodes.end(), cell.node.begin(), cell.node.end());
+        nodes.push_back(node_across(cell, facet.opposite));
+      }
+    std::sort(nodes.begin(), nodes.end());
+    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+    nodes.erase(std::lower_bound(nodes.begin(), nodes.end(), n_nodes_), nodes.end()); // far ones
+  }
+
+
+  template <int dim>
+  void DelaunayMesh<dim>::go_back_to(const State &state)
+  {
+    position_ = state.position;
+    cells_    = state.cells;
+    cell_of_  = state.cell_of;
+    unused_   = state.unused;
+    taken_out_.clear();
+    to_check_.clear();
+    stuck_.clear();
   }
 
 

@@ -74,6 +74,14 @@ namespace Breakwater
       unsigned int node, beside;
     };
 
+    /// What a try to repair starts from.
+    struct State
+    {
+      std::vector<Vec<dim>>     position;
+      std::vector<Cell>         cells;
+      std::vector<unsigned int> cell_of, unused;
+    };
+
     /// A node to take out or put in costs as much as some 10 of a new triangulation.
     bool is_too_much(const std::size_t n_changes) const { return 10 * n_changes > n_nodes_; }
 
@@ -84,6 +92,9 @@ namespace Breakwater
     bool                      repair(const std::vector<Vec<dim>> &position);
     bool                      remove_nodes(const std::vector<unsigned int> &nodes);
     bool                      move_to(const std::vector<Vec<dim>> &position);
+    bool                      mend(); ///< @return false if facets are stuck
+    void                      add_nodes_of_stuck_facets(std::vector<unsigned int> &nodes) const;
+    void                      go_back_to(const State &state);
     std::vector<unsigned int> find_bad_facets(); ///< @return inverted cells
     Simplex<dim> corners_of(const std::array<unsigned int, dim + 1> &node) const { return corners_of(node, position_); }
     Simplex<dim> corners_of(const std::array<unsigned int, dim + 1> &node, const std::vector<Vec<dim>> &position) const

@@ -228,10 +228,18 @@ namespace Breakwater
         for (const unsigned int i : cells_[c].node)
           if (i < n_nodes_ && (worst == no_node || n_inverted[i] > n_inverted[worst]))
             worst = i;
-        if (worst == no_node || !take_out(worst))
+        if (worst == no_node)
           return false;
+        find_cavity(cell_of_[worst], worst, &DelaunayMesh::holds);
         for (const unsigned int cell : cavity_)
-          is_inverted[cell] = 0;
+          if (is_inverted[cell])
+            {
+              is_inverted[cell] = 0;
+              for (const unsigned int i : cells_[cell].node)
+                --n_inverted[i];
+            }
+        if (!take_out(worst))
+          return false;
         is_inverted.resize(cells_.size(), 0);
         for (const unsigned int cell : filling_)
           if (Circumsphere<dim>(corners_of(cells_[cell].node, new_position)).orientation() <= 0)
