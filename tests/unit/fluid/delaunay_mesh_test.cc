@@ -197,6 +197,44 @@ TYPED_TEST(DelaunayMeshTest, RepairsAFlatLayerThatGetsAnotherShape)
 }
 
 
+TYPED_TEST(DelaunayMeshTest, RepairsAPlateThatBendsBesideAJet)
+{
+  // A plate between two lattices of nodes, with fluid on one side that shoots up along it, and nothing on the other.
+  constexpr int         dim = TypeParam::value;
+  std::vector<Vec<dim>> position;
+  for (int side = 0; side < 2; ++side)
+    for (int j = 0; j <= 12; ++j)
+      for (int k = 0; k <= (dim == 3 ? 10 : 0); ++k)
+        {
+          Vec<dim> x;
+          x[0]       = 1.5 * spacing * side;
+          x[1]       = spacing * j;
+          x[dim - 1] = dim == 3 ? spacing * k : x[1];
+          position.push_back(x);
+        }
+  const std::size_t n_plate = position.size();
+  for (auto x : jittered_box<dim>(0.2, 1))
+    {
+      x[0] -= 0.6 + 0.5 * spacing;
+      position.push_back(x);
+    }
+  const auto start         = position;
+  auto       triangulation = triangulation_of<dim>(position);
+  for (int n = 1; n <= 20; ++n)
+    {
+      for (std::size_t i = 0; i < position.size(); ++i)
+        {
+          const double height = std::max(0., start[i][1]);
+          if (i < n_plate)
+            position[i][0] = start[i][0] + 0.01 * n * height * height;
+          else
+            position[i][1] += 0.6 * spacing * std::max(0., 1 + start[i][0] / 0.2);
+        }
+      expect_exact_repair(triangulation, position);
+    }
+}
+
+
 TYPED_TEST(DelaunayMeshTest, RepairsWhenABodyOfNodesSplits)
 {
   expect_exact_repairs<TypeParam::value>(10, [](auto &x) {
