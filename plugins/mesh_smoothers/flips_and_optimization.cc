@@ -94,15 +94,23 @@ namespace Breakwater
         return time == never || mesh_.changed_at(node) > time;
       }
 
-      /// @return whether a further pass may help
+      /// The smallest r decides: where a cell is stuck, no room is made for better ones. @return whether a further pass
+      /// may help
       bool repair_worst_first()
       {
         const std::vector<unsigned int> bad         = mesh_.bad_cells();
         const bool                      are_few     = 100 * bad.size() < mesh_.n_cells();
         bool                            has_changed = false;
+        double                          stuck       = std::numeric_limits<double>::infinity(); // r of the worst such
         for (const unsigned int c : bad)
-          if (is_bad(c) && may_help(c))
-            has_changed = flip(c) || move_nodes(c) || (are_few && make_room(c, false)) || has_changed;
+          if (is_bad(c))
+            {
+              const bool may_need_room = are_few && mesh_.r(c) <= stuck;
+              if (may_help(c) && (flip(c) || move_nodes(c) || (may_need_room && make_room(c, false))))
+                has_changed = true;
+              else
+                stuck = std::min(stuck, mesh_.r(c));
+            }
         for (const unsigned int c : bad)
           if (is_bad(c))
             has_changed = peel(c, {for_target, false}) || has_changed;
