@@ -154,15 +154,14 @@ namespace Breakwater
   double PfemFluid<dim>::spectral_bound_of_unsmoothed()
   {
     update_volumes();
-    std::vector<double> inertia(nodes_.n);
-    for (std::size_t i = 0; i < nodes_.n; ++i)
-      inertia[i] = nodes_.inertia(i);
-    const std::vector<double> row_sums = NodePairs<dim>(nodes_, mesh_.cells).row_sums(inertia);
+    const NodePairs<dim>      pairs(nodes_, mesh_.cells);
+    const std::vector<double> row_sums = pairs.row_sums(inertias());
+    const std::vector<double> volume   = softened_volumes(pairs, row_sums);
     double                    largest  = 0;
     for (std::size_t i = 0; i < nodes_.n; ++i)
       {
         const double c = parameters_.equation_of_state.front().sound_speed(nodes_.density[i]);
-        largest        = std::max(largest, nodes_.density[i] * c * c / softened_volume(i, row_sums[i]) * row_sums[i]);
+        largest        = std::max(largest, nodes_.density[i] * c * c / volume[i] * row_sums[i]);
       }
     return largest > 0 ? 2. / std::sqrt(largest) : std::numeric_limits<double>::infinity();
   }

@@ -147,15 +147,17 @@ namespace Breakwater
     bool                  let_out(DomainBalance<dim> &before); ///< takes nodes in outflows away, from the balance too
     typename DelaunayMesh<dim>::Report triangulate(
       const std::function<bool(const typename SimplexMesh<dim>::Cell &)> &is_inside = {});
-    void   classify_nodes();
-    void   shift_to_centroids();
-    void   find_slip_neighbours();
-    void   correct_volumes(double energy, RemeshRecord &record);
-    void   exchange(const NodePairs<dim> &pairs, RemeshRecord &record);
-    void   sort_nodes();
-    void   set_references(const NodePairs<dim> &pairs);
-    double softened_volume(std::size_t node, double row_sum) const; ///< Vhat [m^dim]
-    void   set_cell_stiffness();
+    void                classify_nodes();
+    void                shift_to_centroids();
+    void                find_slip_neighbours();
+    void                correct_volumes(double energy, RemeshRecord &record);
+    void                exchange(const NodePairs<dim> &pairs, RemeshRecord &record);
+    void                sort_nodes();
+    void                set_references(const NodePairs<dim> &pairs);
+    std::vector<double> inertias() const;                        ///< of all nodes [kg]
+    double              stiffest_volume(std::size_t node) const; ///< Vhat of a node that is not softened [m^dim]
+    std::vector<double> softened_volumes(const NodePairs<dim> &pairs, const std::vector<double> &row_sums) const;
+    void                set_cell_stiffness();
     void   update_time_step_bound(const std::vector<Vec<dim>> &position, const std::vector<double> &inertia,
                                   const std::vector<double> &row_sums);
     void   check_remesh(const RemeshRecord &record, const DomainBalance<dim> &before, const DomainBalance<dim> &after);

@@ -141,6 +141,10 @@ namespace Breakwater
                  "Upper limit G on h^2/c^2 times the squared nodal frequency: the few stiffer nodes, light ones at "
                  "the surface, get softer, so that c dt = 2 h / sqrt(G) is always stable [-].",
                  Range::positive());
+      reader.add("Softening at structures", softening_at_structures,
+                 "How many times softer a node may get for the sake of light nodes of a structure beside it [-]; where "
+                 "that is not enough the step gets shorter.",
+                 {1., 1e6});
     }
     {
       SectionScope scope(reader, "Limits");

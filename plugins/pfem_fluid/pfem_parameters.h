@@ -68,6 +68,7 @@ namespace Breakwater
     double          strained_part  = 0;
     NodeLimits<dim> node_limits;
     double          softening                = 12.;
+    double          softening_at_structures  = 4.;
     double          density_diffusion        = 0.5;
     double          diffusion_period         = 2.;
     double          filter_weight            = 0.4;

@@ -344,20 +344,18 @@ namespace Breakwater
   template <int dim>
   void PfemFluid<dim>::set_references(const NodePairs<dim> &pairs)
   {
-    const EquationOfState &state = parameters_.equation_of_state.front();
-    std::vector<double>    inertia(nodes_.n);
-    for (std::size_t i = 0; i < nodes_.n; ++i)
-      inertia[i] = nodes_.inertia(i);
+    const EquationOfState      &state    = parameters_.equation_of_state.front();
+    const std::vector<double>   inertia  = inertias();
     const std::vector<Vec<dim>> position = nodes_.positions();
     const std::vector<double>   row_sums = pairs.row_sums(inertia);
+    nodes_.stiffness_volume              = softened_volumes(pairs, row_sums);
 
     n_softened_    = 0;
     double largest = 0; // of W_i b_i, the squared nodal frequencies
     for (std::size_t i = 0; i < nodes_.n; ++i)
       {
         nodes_.reference_volume[i] = nodes_.volume[i];
-        nodes_.stiffness_volume[i] = softened_volume(i, row_sums[i]);
-        n_softened_ += nodes_.stiffness_volume[i] > softened_volume(i, 0.);
+        n_softened_ += nodes_.stiffness_volume[i] > stiffest_volume(i);
         const double c              = state.sound_speed(nodes_.base_density[i]);
         nodes_.hydrostatic_slope[i] = nodes_.base_density[i] / (c * c);
         largest = std::max(largest, nodes_.base_density[i] * c * c / nodes_.stiffness_volume[i] * row_sums[i]);
@@ -369,12 +367,38 @@ namespace Breakwater
 
 
   template <int dim>
-  double PfemFluid<dim>::softened_volume(const std::size_t i, const double row_sum) const
+  std::vector<double> PfemFluid<dim>::inertias() const
   {
-    const double h = parameters_.spacing;
-    return std::max(
-      {nodes_.volume[i], 0.1 * regular_volume<dim>(h),
-       parameters_.equation_of_state.front().reference_density() * h * h * row_sum / parameters_.softening});
+    std::vector<double> result(nodes_.n);
+    for (std::size_t i = 0; i < nodes_.n; ++i)
+      result[i] = nodes_.inertia(i);
+    return result;
+  }
+
+
+  template <int dim>
+  double PfemFluid<dim>::stiffest_volume(const std::size_t i) const
+  {
+    return std::max(nodes_.volume[i], 0.1 * regular_volume<dim>(parameters_.spacing));
+  }
+
+
+  // Light nodes of the fluid bear no pressure to speak of: the surface is near. Those of a light structure bear all that
+  // the fluid presses with. Softened as much they would let it sink into the fluid, and as what the softened nodes store
+  // is much of the energy then, each remesh, which chooses anew who is softened, would make some.
+  template <int dim>
+  std::vector<double> PfemFluid<dim>::softened_volumes(const NodePairs<dim>      &pairs,
+                                                       const std::vector<double> &row_sums) const
+  {
+    const double h      = parameters_.spacing;
+    const double factor = parameters_.equation_of_state.front().reference_density() * h * h / parameters_.softening;
+    std::vector<double> inertia = inertias();
+    std::fill_n(inertia.begin(), nodes_.n_interface, 0.);
+    std::vector<double> result = nodes_.n_interface > 0 ? pairs.row_sums(inertia) : row_sums;
+    for (std::size_t i = 0; i < nodes_.n; ++i)
+      result[i] = std::max(std::max(stiffest_volume(i), factor * result[i]),
+                           std::min(parameters_.softening_at_structures * stiffest_volume(i), factor * row_sums[i]));
+    return result;
   }
 
 

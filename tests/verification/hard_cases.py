@@ -50,6 +50,9 @@ for name in sys.argv[1:] or sorted(file[:-4] for file in os.listdir(FOLDER) if f
     if "interface energy [J]" in history:
         verification.check(f"{name}: energy made at the interface, of the largest",
                            max(history["interface energy [J]"]) / reference, -1, 1e-5)
+        if name not in DRIVEN:
+            verification.check(f"{name}: largest rise of the energy over 0.05 s, of the largest",
+                               summary["largest energy rise over 0.05 s [J]"] / reference, 0, 1e-3)
     if name not in DRIVEN:
         verification.check(f"{name}: energy made, of the largest", (max(energy) - energy[0]) / reference, -1, 1e-3)
 verification.finish()
