@@ -163,11 +163,11 @@ namespace Breakwater
     visit(cell_volume_at_rest_);
     visit(effects_.cell_stiffness);
     visit(adopted_.surface().revision);
-    for (const double value :
-         {time_, bound_, sound_speed_at_bound_, largest_density_, interface_work_, energy_after_remesh_,
-          spectral_bound_, volume_made_, volume_lost_, far_part_, diffusion_time_, unsmoothed_bound_})
+    for (const double value : {time_, bound_, sound_speed_at_bound_, largest_density_, interface_work_,
+                               energy_after_remesh_, spectral_bound_, volume_made_, volume_lost_, far_part_,
+                               diffusion_time_, unsmoothed_bound_, steps_since_filter_})
       visit(value);
-    for (const unsigned int value : {n_steps_since_filter_, n_steps_to_check_, n_remeshes_})
+    for (const unsigned int value : {n_steps_to_check_, n_remeshes_})
       visit(value);
     visit(strain_watch_);
     visit(gap_watch_);
@@ -204,11 +204,11 @@ namespace Breakwater
     visit(effects_.cell_stiffness);
     effects_.cell_volume_at_rest = cell_volume_at_rest_.data();
     visit(adopted_.surface().revision);
-    for (double *value :
-         {&time_, &bound_, &sound_speed_at_bound_, &largest_density_, &interface_work_, &energy_after_remesh_,
-          &spectral_bound_, &volume_made_, &volume_lost_, &far_part_, &diffusion_time_, &unsmoothed_bound_})
+    for (double *value : {&time_, &bound_, &sound_speed_at_bound_, &largest_density_, &interface_work_,
+                          &energy_after_remesh_, &spectral_bound_, &volume_made_, &volume_lost_, &far_part_,
+                          &diffusion_time_, &unsmoothed_bound_, &steps_since_filter_})
       visit(*value);
-    for (unsigned int *value : {&n_steps_since_filter_, &n_steps_to_check_, &n_remeshes_})
+    for (unsigned int *value : {&n_steps_to_check_, &n_remeshes_})
       visit(*value);
     visit(strain_watch_);
     visit(gap_watch_);

@@ -290,10 +290,10 @@ namespace Breakwater
     PhaseTimer timer(*context_, Phase::solver);
     check_state();
     add_interface_work();
-    if (filters_velocity_ && ++n_steps_since_filter_ >= parameters_.filter_period)
+    if (filters_velocity_ && is_filter_due())
       {
         filter_velocity();
-        n_steps_since_filter_ = 0;
+        steps_since_filter_ = 0;
       }
     if (n_steps_to_check_ > 0)
       --n_steps_to_check_;
@@ -304,6 +304,17 @@ namespace Breakwater
       }
     else
       n_steps_to_check_ = 2;
+  }
+
+
+  // What it takes away grows in the fluid's time: steps that are short for another reason count less.
+  template <int dim>
+  bool PfemFluid<dim>::is_filter_due()
+  {
+    const EquationOfState &state = parameters_.equation_of_state.front();
+    const double           c     = state.sound_speed(state.reference_density());
+    steps_since_filter_ += std::min(1., c * last_time_step_ / (0.4 * parameters_.spacing));
+    return steps_since_filter_ >= parameters_.filter_period;
   }
 
 
@@ -434,9 +445,21 @@ namespace Breakwater
     filter_impulses<dim>(mesh_.cells, {parameters_.filter_weight, parameters_.divergence_filter_weight}, nodes_.xp,
                          nodes_.v, nodes_.volume, least_volume, node_density, inverse_mass, filter_buffers_.gradient,
                          impulse);
+    // Where the gradients around are poor they may do work. A part s of them changes the energy by power s + square s^2 / 2,
+    // in any frame.
+    double power = 0, square = 0;
+    for (std::size_t i = nodes_.n_interface; i < nodes_.n; ++i)
+      for (int d = 0; d < dim; ++d)
+        {
+          power += impulse[i][d] * nodes_.v[i][d];
+          square += impulse[i][d] * impulse[i][d] * inverse_mass[i];
+        }
+    const double part = square > 0 ? std::clamp(-2 * power / square, 0., 1.) : 0.;
     for (std::size_t i = nodes_.n_interface; i < nodes_.n; ++i)
       if (nodes_.has_cells[i] && !nodes_.is_driven(i))
         {
+          for (int d = 0; d < dim; ++d)
+            impulse[i][d] *= part;
           if (!nodes_.contacts[i].empty())
             parameters_.walls.mask_impulse(nodes_.xp[i].c, impulse[i].c, nodes_.contacts[i]);
           for (int d = 0; d < dim; ++d)

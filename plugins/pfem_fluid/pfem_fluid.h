@@ -90,6 +90,7 @@ namespace Breakwater
     void              add_interface_work();
     bool              is_diffusion_due(double time_step) const;
     void              diffuse_density();
+    bool              is_filter_due();
     void              filter_velocity();
     void              refresh_surface();
     void              collect_interface_cells();
@@ -218,13 +219,13 @@ namespace Breakwater
     double        interface_work_       = 0; ///< of other bodies on the fluid at interface nodes since the start [J]
     double        energy_after_remesh_  = 0; ///< less the interface's work [J]
     double        diffusion_time_       = 0; ///< since the density was diffused [s]
+    double        steps_since_filter_   = 0; ///< of the velocity, short ones in part [-]
     double        far_part_             = 1; ///< of the mass exchange, when it was last tried [-]
     double        volume_made_          = 0; ///< by remeshes since the start [m^dim]
     double        volume_lost_          = 0; ///< by remeshes since the start [m^dim]
     double        spectral_bound_       = 0; ///< Gershgorin's, at the last remesh [s]
     double        unsmoothed_bound_     = 0; ///< the same before smoothing, when it was last measured [s]
     unsigned int  n_softened_           = 0; ///< nodes, at the last remesh
-    unsigned int  n_steps_since_filter_ = 0;
     unsigned int  n_steps_to_check_     = 0; ///< until needs_remeshing() is asked again
     unsigned int  n_remeshes_           = 0;
     unsigned long n_wall_stops_         = 0; ///< nodes put back at walls

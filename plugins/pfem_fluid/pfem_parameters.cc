@@ -136,7 +136,10 @@ namespace Breakwater
                  "Stiffness of each cell against a change of its own volume since the last remesh, in units of the "
                  "hydrostatic pressure over one spacing [-]; 0: none. Without it water at rest stirs itself.",
                  {0., 1000.});
-      reader.add("Velocity filter period", filter_period, "Steps from one use of the filter to the next.", 1);
+      reader.add("Velocity filter period", filter_period,
+                 "Steps from one use of the filter to the next. One in which sound goes less than 0.4 spacings counts "
+                 "in part.",
+                 1);
       reader.add("Softening", softening,
                  "Upper limit G on h^2/c^2 times the squared nodal frequency: the few stiffer nodes, light ones at "
                  "the surface, get softer, so that c dt = 2 h / sqrt(G) is always stable [-].",
