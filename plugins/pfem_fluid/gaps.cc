@@ -5,6 +5,31 @@
 
 namespace Breakwater
 {
+  namespace
+  {
+    /// How two nodes have moved against each other, and may do so [m^2].
+    struct SquaredMotion
+    {
+      double square, allowed;
+    };
+
+    template <int dim>
+    SquaredMotion squared_motion(const unsigned int i, const unsigned int j, const std::vector<Quad> &position,
+                                 const std::vector<Quad> &position_before, const double square_of_spacing)
+    {
+      double motion = 0, distance = 0;
+      for (int d = 0; d < dim; ++d)
+        {
+          const double before = position_before[i][d] - position_before[j][d];
+          const double change = position[i][d] - position[j][d] - before;
+          distance += before * before;
+          motion += change * change;
+        }
+      return {motion, std::max(square_of_spacing, 0.25 * distance)};
+    }
+  } // namespace
+
+
   template <int dim>
   Gaps<dim>::Gaps(const std::vector<Cell> &cells_around, const std::size_t n_nodes, const std::size_t n_interface)
   {
@@ -24,28 +49,33 @@ namespace Breakwater
   double Gaps<dim>::closure(const std::vector<Quad> &position, const std::vector<Quad> &position_before,
                             const double spacing) const
   {
-    const double square_of_spacing = spacing * spacing;
-    double       largest = 0, over = 1; // squares
+    SquaredMotion largest = {0, 1};
     for (const Cell &cell : cells)
       for (int a = 1; a <= dim; ++a)
         for (int b = 0; b < a; ++b)
           {
-            double motion = 0, distance = 0; // squares
-            for (int d = 0; d < dim; ++d)
-              {
-                const double before = position_before[cell[a]][d] - position_before[cell[b]][d];
-                const double change = position[cell[a]][d] - position[cell[b]][d] - before;
-                distance += before * before;
-                motion += change * change;
-              }
-            const double allowed = std::max(square_of_spacing, 0.25 * distance);
-            if (motion * over > largest * allowed)
-              {
-                largest = motion;
-                over    = allowed;
-              }
+            const auto motion = squared_motion<dim>(cell[a], cell[b], position, position_before, spacing * spacing);
+            if (motion.square * largest.allowed > largest.square * motion.allowed)
+              largest = motion;
           }
-    return std::sqrt(largest / over);
+    return std::sqrt(largest.square / largest.allowed);
+  }
+
+
+  template <int dim>
+  std::size_t Gaps<dim>::n_closing(const std::vector<Quad> &position, const std::vector<Quad> &position_before,
+                                   const double spacing) const
+  {
+    return std::count_if(cells.begin(), cells.end(), [&](const Cell &cell) {
+      for (int a = 1; a <= dim; ++a)
+        for (int b = 0; b < a; ++b)
+          {
+            const auto motion = squared_motion<dim>(cell[a], cell[b], position, position_before, spacing * spacing);
+            if (motion.square > motion.allowed)
+              return true;
+          }
+      return false;
+    });
   }
 
   template class Gaps<2>;

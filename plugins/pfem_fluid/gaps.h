@@ -30,6 +30,10 @@ namespace Breakwater
     /// @param spacing of the nodes [m]
     double closure(const std::vector<Quad> &position, const std::vector<Quad> &position_before, double spacing) const;
 
+    /// How many cells have a pair of nodes that has moved so by more than 1.
+    std::size_t n_closing(const std::vector<Quad> &position, const std::vector<Quad> &position_before,
+                          double spacing) const;
+
     /// Cells at gaps; in place of far nodes they have another one of their own once more.
     std::vector<Cell> cells;
   };

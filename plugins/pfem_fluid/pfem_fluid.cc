@@ -322,8 +322,9 @@ namespace Breakwater
   void PfemFluid<dim>::Watch::note(const double value, const double allowed)
   {
     const double growth = 4 * std::max(0., value - value_) / n_looks_;
+    const double limit  = value <= allowed ? allowed : 2 * allowed; // twice as much may be allowed in some cells
     unsigned int n_wait = 0;
-    while (n_wait < 3 && value + (n_wait + 2) * growth <= allowed)
+    while (n_wait < 3 && value + (n_wait + 2) * growth <= limit)
       ++n_wait;
     value_           = value;
     n_looks_         = 0;
@@ -336,9 +337,15 @@ namespace Breakwater
   {
     if (!strain_watch_.is_due())
       return false;
+    const double allowed = parameters_.largest_strain * parameters_.spacing;
     const double largest = largest_relative_displacement<dim>(mesh_.cells, nodes_.xp, nodes_.position_at_remesh);
-    strain_watch_.note(largest, parameters_.largest_strain * parameters_.spacing);
-    return is_too_strained(largest);
+    strain_watch_.note(largest, allowed);
+    return is_too_much(largest / allowed, [&]() {
+      return std::count_if(mesh_.cells.begin(), mesh_.cells.end(), [&](const auto &cell) {
+        return element_passes<dim>().largest_relative_displacement(cell.data(), 1, nodes_.xp.data(),
+                                                                   nodes_.position_at_remesh.data()) > allowed;
+      });
+    });
   }
 
 
@@ -350,32 +357,32 @@ namespace Breakwater
       return false;
     const double closure = gaps_.closure(nodes_.xp, nodes_.position_at_remesh, parameters_.spacing);
     gap_watch_.note(closure, 1.);
-    return closure > 1;
+    return is_too_much(closure, [&]() {
+      return gaps_.n_closing(nodes_.xp, nodes_.position_at_remesh, parameters_.spacing);
+    });
+  }
+
+
+  template <int dim>
+  template <class Count>
+  bool PfemFluid<dim>::is_too_much(const double over_limit, const Count &n_cells_over) const
+  {
+    if (over_limit <= 1 || over_limit > 2 || parameters_.strained_part == 0)
+      return over_limit > 1;
+    return n_cells_over() > parameters_.strained_part * mesh_.cells.size();
   }
 
 
   template <int dim>
   bool PfemFluid<dim>::needs_remeshing()
   {
+    gaps_asked_ = false;
     if (parameters_.openings.needs_remeshing() || is_strained())
       return true;
     if (parameters_.walls.has_travelled(0.3 * parameters_.spacing))
       return true;
-    return may_gaps_close();
-  }
-
-
-  template <int dim>
-  bool PfemFluid<dim>::is_too_strained(const double largest) const
-  {
-    const double allowed = parameters_.largest_strain * parameters_.spacing;
-    if (largest <= allowed || largest > 2 * allowed || parameters_.strained_part == 0)
-      return largest > allowed;
-    const auto n_strained = std::count_if(mesh_.cells.begin(), mesh_.cells.end(), [&](const auto &cell) {
-      return element_passes<dim>().largest_relative_displacement(cell.data(), 1, nodes_.xp.data(),
-                                                                 nodes_.position_at_remesh.data()) > allowed;
-    });
-    return n_strained > parameters_.strained_part * mesh_.cells.size();
+    gaps_asked_ = may_gaps_close();
+    return gaps_asked_;
   }
 
 

@@ -98,8 +98,10 @@ namespace Breakwater
     void              check_state() const;
     [[noreturn]] void fail_at_node(std::size_t node, double fastest) const;
     bool              is_strained();
-    bool              is_too_strained(double largest_displacement) const; ///< in a cell [m]
     bool              may_gaps_close();
+    /// Twice the limit is allowed in a part of the cells.
+    template <class Count>
+    bool is_too_much(double over_limit, const Count &n_cells_over) const;
     bool              needs_remeshing();
 
     // initial_nodes.cc
@@ -211,6 +213,7 @@ namespace Breakwater
 
     Watch         strain_watch_;
     Watch         gap_watch_;
+    bool          gaps_asked_ = false; ///< for the remesh at hand
     double        time_                 = 0; ///< [s]
     double        bound_                = 0; ///< of the rule in use at the last remesh [s]
     double        sound_speed_at_bound_ = 0; ///< largest one then [m/s]

@@ -113,7 +113,8 @@ namespace Breakwater
       reader.add("Largest strain", largest_strain,
                  "Remesh when a node has moved against its cell by this fraction of the spacing [-].", {0.01, 0.5});
       reader.add("Strained part", strained_part,
-                 "Part of the cells in which it may be up to twice as much [-]: splashes strain a few cells always.",
+                 "Part of the cells in which it may be up to twice as much, and cells of gaps twice as closed [-]: "
+                 "splashes strain a few cells always.",
                  {0., 1.});
     }
     {

@@ -77,6 +77,7 @@ namespace Breakwater
                {"cells [-]", static_cast<double>(mesh_.cells.size())},
                {"largest strain [-]", strain_watch_.value() / parameters_.spacing},
                {"gap closure [-]", gap_watch_.value()},
+               {"asked by gaps [-]", static_cast<double>(gaps_asked_)},
                {"isolated nodes [-]", static_cast<double>(n_isolated)},
                {"removed nodes [-]", static_cast<double>(record.node_changes.n_removed)},
                {"inserted nodes [-]", static_cast<double>(record.node_changes.n_inserted)},

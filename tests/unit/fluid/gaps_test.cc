@@ -45,14 +45,23 @@ namespace
     /// How much of what closes the gaps is done when the lower and the upper body fall by some spacings.
     double closure(const double lower_fall, const double upper_fall) const
     {
-      std::vector<Quad> before(position.size()), now;
+      return gaps.closure(fallen(lower_fall, upper_fall), fallen(0, 0), spacing);
+    }
+
+    std::size_t n_closing(const double lower_fall, const double upper_fall) const
+    {
+      return gaps.n_closing(fallen(lower_fall, upper_fall), fallen(0, 0), spacing);
+    }
+
+    std::vector<Quad> fallen(const double lower_fall, const double upper_fall) const
+    {
+      std::vector<Quad> result(position.size());
       for (std::size_t i = 0; i < position.size(); ++i)
-        for (int d = 0; d < dim; ++d)
-          before[i][d] = position[i][d];
-      now = before;
-      for (std::size_t i = 0; i < position.size(); ++i)
-        now[i][1] -= (i < n_lower ? lower_fall : upper_fall) * spacing;
-      return gaps.closure(now, before, spacing);
+        {
+          std::copy_n(position[i].c, dim, result[i].c);
+          result[i][1] -= (i < n_lower ? lower_fall : upper_fall) * spacing;
+        }
+      return result;
     }
   };
 } // namespace
@@ -73,4 +82,25 @@ TYPED_TEST(GapsTest, StayOpenUntilHalfTheDistanceIsGone)
 TYPED_TEST(GapsTest, MayCloseWhenMoreThanHalfTheDistanceIsGone)
 {
   EXPECT_GT(TwoBodies<TypeParam::value>().closure(0., 5.6), 1.);
+}
+
+
+TYPED_TEST(GapsTest, NoneIsClosingBeforeHalfTheDistanceIsGone)
+{
+  EXPECT_EQ(TwoBodies<TypeParam::value>().n_closing(0., 4.5), 0u);
+}
+
+
+TYPED_TEST(GapsTest, TheCellsOfANodeThatFliesAwayAreClosing)
+{
+  constexpr int           dim = TypeParam::value;
+  const TwoBodies<dim>    bodies;
+  const std::vector<Quad> before = bodies.fallen(0, 0);
+  const unsigned int      flying = bodies.gaps.cells.front().back();
+  std::vector<Quad>       now    = before;
+  now[flying][1] += 1000 * spacing;
+  const auto n_cells = std::count_if(bodies.gaps.cells.begin(), bodies.gaps.cells.end(), [&](const auto &cell) {
+    return std::count(cell.begin(), cell.end(), flying) > 0;
+  });
+  EXPECT_EQ(bodies.gaps.n_closing(now, before, spacing), static_cast<std::size_t>(n_cells));
 }
