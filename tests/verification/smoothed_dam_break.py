@@ -6,8 +6,8 @@ from _scene import Verification, read_columns, read_summary, run
 
 verification = Verification()
 SMOOTHED = {"Fluid/Pfem/Time step bound": "insphere", "Fluid/Pfem/Mesh smoothers": "flips and optimization",
-            "Fluid/Pfem/Remeshing/Smallest distance": 0.5, "Fluid/Pfem/Remeshing/Largest strain": 0.3,
-            "Output/Fields every": 0,
+            "Fluid/Pfem/Remeshing/Smallest distance": 0.5, "Fluid/Pfem/Remeshing/Largest strain": 0.5,
+            "Fluid/Pfem/Remeshing/Strained part": 0.005, "Output/Fields every": 0,
             "Plugin libraries": "pfem_fluid, equations_of_state, rheologies, body_forces, time_step_bounds, materials, "
                                 "couplers, mesh_smoothers"}
 
